@@ -1,0 +1,13 @@
+/**
+ * The flow from the world through a robot and back into the world.
+ *
+ * <pre>
+ *   sensor ---&gt; perceptual schema ---&gt; motor schema ---&gt; effector
+ * </pre>
+ *
+ * <p>Each stage has its own package; this release holds {@link org.dfra.flow.sensor}.
+ */
+@NullMarked
+package org.dfra.flow;
+
+import org.jspecify.annotations.NullMarked;

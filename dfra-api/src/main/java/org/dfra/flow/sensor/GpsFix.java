@@ -1,0 +1,63 @@
+package org.dfra.flow.sensor;
+
+import java.io.Serializable;
+import java.time.Instant;
+import java.util.OptionalDouble;
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One solution of a satellite positioning receiver.
+ *
+ * @param mode what was solved for
+ * @param position the receiver's antenna, frame WGS84; null exactly where the mode is {@link
+ *     Mode#NONE}
+ * @param utc time of the solution, UTC
+ * @param speed speed over ground in metres per second, not negative
+ * @param course direction of travel in degrees, 0 to 360, 0 is true north, clockwise is +; noise
+ *     when {@code speed} is near zero
+ * @param dilution dilution of precision, without unit: PDOP for a 3-D fix, HDOP for a 2-D one
+ * @param satellitesVisible satellites above the horizon by the almanac; may exceed the channels
+ * @param satellitesTracked satellites the receiver has locked on
+ */
+public record GpsFix(
+    Mode mode,
+    @Nullable GeoPosition position,
+    Instant utc,
+    double speed,
+    double course,
+    double dilution,
+    int satellitesVisible,
+    int satellitesTracked)
+    implements Serializable {
+
+  /** What a solution was solved for. */
+  public enum Mode {
+    /** No position. */
+    NONE,
+    /** Latitude and longitude; the height is held or old. */
+    FIX_2D,
+    /** Latitude, longitude and height. */
+    FIX_3D,
+    /** The position is held and only time is solved for. */
+    POSITION_HOLD
+  }
+
+  public GpsFix {
+    if ((mode == Mode.NONE) != (position == null)) {
+      throw new IllegalArgumentException(
+          "a fix of mode " + mode + (position == null ? " without" : " with") + " a position");
+    }
+    if (!(speed >= 0)) {
+      throw new IllegalArgumentException("speed " + speed + " m/s is not ≥ 0");
+    }
+    if (!(course >= 0 && course <= 360)) {
+      throw new IllegalArgumentException("course " + course + "° is outside 0° to 360°");
+    }
+  }
+
+  /** Height above the WGS84 ellipsoid in metres, where there is a position. */
+  public OptionalDouble height() {
+    return position == null ? OptionalDouble.empty() : OptionalDouble.of(position.height());
+  }
+}

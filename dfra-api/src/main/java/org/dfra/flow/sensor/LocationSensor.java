@@ -1,0 +1,14 @@
+package org.dfra.flow.sensor;
+
+import java.rmi.RemoteException;
+
+/** A sensor that tells where on the earth it is. */
+public interface LocationSensor extends Sensor {
+
+  /**
+   * The last location measured.
+   *
+   * @throws org.dfra.module.NotReadyException if there is none yet
+   */
+  LocationReading location() throws RemoteException;
+}

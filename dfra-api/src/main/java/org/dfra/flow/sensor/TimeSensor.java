@@ -1,0 +1,14 @@
+package org.dfra.flow.sensor;
+
+import java.rmi.RemoteException;
+
+/** A sensor that tells the time better than the robot's own clock. */
+public interface TimeSensor extends Sensor {
+
+  /**
+   * The last time received, with the robot's own clock at that moment.
+   *
+   * @throws org.dfra.module.NotReadyException if there is none yet
+   */
+  TimeReading time() throws RemoteException;
+}

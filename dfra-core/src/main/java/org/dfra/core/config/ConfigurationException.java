@@ -1,0 +1,15 @@
+package org.dfra.core.config;
+
+/** A configuration that cannot be used. The message names the place, the fault and the remedy. */
+public final class ConfigurationException extends RuntimeException {
+
+  private static final long serialVersionUID = 1L;
+
+  public ConfigurationException(String message) {
+    super(message);
+  }
+
+  public ConfigurationException(String message, Throwable cause) {
+    super(message, cause);
+  }
+}

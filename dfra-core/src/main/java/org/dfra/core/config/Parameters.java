@@ -1,0 +1,136 @@
+package org.dfra.core.config;
+
+import java.io.Serializable;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A module's parameters: named texts, each with the place where it was written, so that every
+ * complaint can point at file and line. Immutable.
+ */
+public final class Parameters implements Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * One parameter.
+   *
+   * @param text the value as written, after substitution
+   * @param place where it was written, as {@code file:line}
+   */
+  public record Value(String text, String place) implements Serializable {}
+
+  private final String owner;
+  private final TreeMap<String, Value> values;
+
+  /**
+   * @param owner whose parameters these are, for messages: {@code robot/name}
+   * @param values the parameters by name
+   */
+  public Parameters(String owner, Map<String, Value> values) {
+    this.owner = owner;
+    this.values = new TreeMap<>(values);
+  }
+
+  /** Parameters given in code, for tests and examples; their place is {@code code}. */
+  public static Parameters of(String owner, Map<String, String> texts) {
+    Map<String, Value> values = new TreeMap<>();
+    texts.forEach((name, text) -> values.put(name, new Value(text, "code")));
+    return new Parameters(owner, values);
+  }
+
+  /** The parameter's text. */
+  public Optional<String> find(String name) {
+    return Optional.ofNullable(values.get(name)).map(Value::text);
+  }
+
+  /**
+   * The parameter's text.
+   *
+   * @throws ConfigurationException if it is not set
+   */
+  public String text(String name) {
+    return value(name).text();
+  }
+
+  /**
+   * A number at least {@code min} and at most {@code max}.
+   *
+   * @throws ConfigurationException if it is set and is not such a number
+   */
+  public double number(String name, double fallback, double min, double max) {
+    @Nullable Value value = values.get(name);
+    if (value == null) {
+      return fallback;
+    }
+    try {
+      double number = Double.parseDouble(value.text().trim());
+      if (number >= min && number <= max) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      throw fault(name, value, "a number from " + min + " to " + max, e);
+    }
+    throw fault(name, value, "a number from " + min + " to " + max, null);
+  }
+
+  /**
+   * A time span in seconds, decimals allowed, at least {@code min} and at most {@code max}.
+   *
+   * @throws ConfigurationException if it is set and is not such a time span
+   */
+  public Duration seconds(String name, Duration fallback, Duration min, Duration max) {
+    double seconds = number(name, seconds(fallback), seconds(min), seconds(max));
+    return Duration.ofNanos(Math.round(seconds * 1e9));
+  }
+
+  /** A complaint about a parameter's value that only the driver can judge. */
+  public ConfigurationException fault(String name, String expected, @Nullable Throwable cause) {
+    return fault(name, value(name), expected, cause);
+  }
+
+  /** All parameters by name, in alphabetical order. */
+  public Map<String, Value> all() {
+    return Map.copyOf(values);
+  }
+
+  private Value value(String name) {
+    Value value = values.get(name);
+    if (value == null) {
+      throw new ConfigurationException(
+          owner
+              + ": parameter "
+              + name
+              + " is not set; write parameter."
+              + name
+              + "=… in the module's properties or <parameter name=\""
+              + name
+              + "\"> in the robot's XML");
+    }
+    return value;
+  }
+
+  private ConfigurationException fault(
+      String name, Value value, String expected, @Nullable Throwable cause) {
+    String message =
+        value.place()
+            + ": "
+            + owner
+            + ": parameter "
+            + name
+            + " is \""
+            + value.text()
+            + "\", which is not "
+            + expected;
+    return cause == null
+        ? new ConfigurationException(message)
+        : new ConfigurationException(message, cause);
+  }
+
+  private static double seconds(Duration duration) {
+    return duration.toNanos() / 1e9;
+  }
+}

@@ -1,0 +1,27 @@
+import javax.xml.parsers.DocumentBuilderFactory
+import org.w3c.dom.Element
+
+rootProject.name = "dfra"
+
+// pom.xml is the one place where module names and versions are written; both builds read it.
+val pom: Element = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file("pom.xml")).documentElement
+fun Element.children() = (0 until childNodes.length).map { childNodes.item(it) }.filterIsInstance<Element>()
+fun Element.child(name: String) = children().first { it.tagName == name }
+fun Element.text(name: String) = child(name).textContent.trim()
+
+pom.child("modules").children().map { it.textContent.trim() }.filter { it.startsWith("dfra-") }.forEach { include(it) }
+
+dependencyResolutionManagement {
+    repositories { mavenCentral() }
+    versionCatalogs {
+        create("libs") {
+            val versions = pom.child("properties").children().associate { it.tagName to it.textContent.trim() }
+            pom.child("dependencyManagement").child("dependencies").children()
+                .filter { it.text("groupId") != "org.dfra" }
+                .forEach {
+                    val version = it.text("version").removeSurrounding("\${", "}")
+                    library(it.text("artifactId"), it.text("groupId"), it.text("artifactId")).version(versions.getValue(version))
+                }
+        }
+    }
+}
