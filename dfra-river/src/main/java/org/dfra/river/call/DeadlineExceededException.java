@@ -1,0 +1,42 @@
+package org.dfra.river.call;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+
+/** A remote call got no answer within its deadline. */
+public final class DeadlineExceededException extends RemoteException {
+
+  private static final long serialVersionUID = 1L;
+
+  private final boolean mayHaveRun;
+
+  /**
+   * @param call what was called, for people
+   * @param deadline how long the answer was awaited
+   * @param mayHaveRun whether the server may have carried out the call
+   */
+  DeadlineExceededException(String call, Duration deadline, boolean mayHaveRun) {
+    super(
+        call
+            + " got no answer within "
+            + deadline.toMillis()
+            + " ms; "
+            + (mayHaveRun
+                ? "it may have run, so repeat it only if repeating does no harm"
+                : "it has not run"));
+    this.mayHaveRun = mayHaveRun;
+  }
+
+  /**
+   * @param message why the call was not even tried
+   */
+  DeadlineExceededException(String message) {
+    super(message);
+    this.mayHaveRun = false;
+  }
+
+  /** Whether the server may have carried out the call; false means it certainly has not. */
+  public boolean mayHaveRun() {
+    return mayHaveRun;
+  }
+}

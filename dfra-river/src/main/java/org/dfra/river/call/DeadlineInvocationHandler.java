@@ -1,0 +1,178 @@
+package org.dfra.river.call;
+
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.constraint.RemoteMethodControl;
+import net.jini.jeri.BasicInvocationHandler;
+import net.jini.jeri.BasicObjectEndpoint;
+import net.jini.jeri.ObjectEndpoint;
+import net.jini.jeri.OutboundRequest;
+import net.jini.security.proxytrust.TrustEquivalence;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Gives every remote call a deadline.
+ *
+ * <p>JERI waits for an answer for ever, and a peer that was stopped or drove out of radio range
+ * closes no socket. Here the caller is free again when the deadline has passed, whatever the call
+ * is blocked in, and learns whether it may have run.
+ */
+public final class DeadlineInvocationHandler extends BasicInvocationHandler {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final SilentPeers SILENT = new SilentPeers();
+
+  /** How long an answer is awaited, in milliseconds. */
+  private final long deadlineMillis;
+
+  /**
+   * @param deadline how long an answer is awaited, at least a millisecond
+   */
+  DeadlineInvocationHandler(
+      ObjectEndpoint endpoint, @Nullable MethodConstraints server, Duration deadline) {
+    super(endpoint, server);
+    this.deadlineMillis = deadline.toMillis();
+    if (deadlineMillis < 1) {
+      throw new IllegalArgumentException("deadline " + deadline + " is shorter than 1 ms");
+    }
+  }
+
+  /** The same handler under other client constraints; JERI's base class asks for this form. */
+  public DeadlineInvocationHandler(
+      DeadlineInvocationHandler other, @Nullable MethodConstraints client) {
+    super(other, client);
+    this.deadlineMillis = other.deadlineMillis;
+  }
+
+  @Override
+  protected InvocationHandler setClientConstraints(@Nullable MethodConstraints constraints) {
+    return new DeadlineInvocationHandler(this, constraints);
+  }
+
+  @Override
+  public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] args)
+      throws Throwable {
+    Class<?> declarer = method.getDeclaringClass();
+    if (declarer == Object.class
+        || declarer == RemoteMethodControl.class
+        || declarer == TrustEquivalence.class) {
+      return super.invoke(proxy, method, args);
+    }
+    Object peer = peer();
+    int held = SILENT.held(peer);
+    if (held >= SilentPeers.LIMIT) {
+      throw new DeadlineExceededException(
+          describe(method) + " was not tried: " + held + " calls to " + peer + " still hang");
+    }
+    CallInFlight call = new CallInFlight();
+    FutureTask<@Nullable Object> answer =
+        new FutureTask<>(() -> carry(call, peer, proxy, method, args));
+    CallThreads.run(answer);
+    return await(answer, call, peer, method);
+  }
+
+  private @Nullable Object await(
+      FutureTask<@Nullable Object> answer, CallInFlight call, Object peer, Method method)
+      throws Throwable {
+    try {
+      return answer.get(deadlineMillis, TimeUnit.MILLISECONDS);
+    } catch (ExecutionException e) {
+      Throwable cause = e.getCause();
+      throw cause instanceof Carried carried ? carried.getCause() : cause;
+    } catch (TimeoutException e) {
+      boolean mayHaveRun = call.mayHaveRun();
+      giveUp(call, peer);
+      throw new DeadlineExceededException(
+          describe(method), Duration.ofMillis(deadlineMillis), mayHaveRun);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      boolean mayHaveRun = call.mayHaveRun();
+      giveUp(call, peer);
+      throw new CallInterruptedException(describe(method), mayHaveRun);
+    }
+  }
+
+  private static void giveUp(CallInFlight call, Object peer) {
+    SILENT.hold(peer);
+    if (!call.abandon()) {
+      SILENT.letGo(peer);
+    }
+  }
+
+  private @Nullable Object carry(
+      CallInFlight call, Object peer, Object proxy, Method method, Object @Nullable [] args)
+      throws Exception {
+    try {
+      return call.<@Nullable Object>carry(() -> super.invoke(proxy, method, args));
+    } catch (Exception | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new Carried(e);
+    } finally {
+      if (call.end()) {
+        SILENT.letGo(peer);
+      }
+    }
+  }
+
+  @Override
+  protected ObjectOutputStream createMarshalOutputStream(
+      Object proxy, Method method, OutboundRequest request, Collection context) throws IOException {
+    CallInFlight.leaving(request);
+    return super.createMarshalOutputStream(proxy, method, request, context);
+  }
+
+  private Object peer() {
+    ObjectEndpoint endpoint = getObjectEndpoint();
+    return endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint;
+  }
+
+  private String describe(Method method) {
+    return method.getDeclaringClass().getSimpleName() + "." + method.getName() + " on " + peer();
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return super.equals(other)
+        && other instanceof DeadlineInvocationHandler handler
+        && handler.deadlineMillis == deadlineMillis;
+  }
+
+  @Override
+  public int hashCode() {
+    return super.hashCode();
+  }
+
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    if (deadlineMillis < 1) {
+      throw new InvalidObjectException("deadline of " + deadlineMillis + " ms");
+    }
+  }
+
+  /** Carries a throwable that is neither exception nor error across the thread. */
+  private static final class Carried extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    Carried(Throwable cause) {
+      super(cause);
+    }
+
+    @Override
+    public synchronized Throwable getCause() {
+      return java.util.Objects.requireNonNull(super.getCause());
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.dfra.river.call;
+
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
+import java.rmi.Remote;
+import java.rmi.activation.ActivationID;
+import java.rmi.server.ExportException;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import net.jini.core.constraint.RemoteMethodControl;
+import net.jini.export.Exporter;
+import net.jini.security.proxytrust.ProxyTrust;
+import net.jini.security.proxytrust.TrustEquivalence;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Exports an activatable object: its proxy brings the object back when it is dead.
+ *
+ * <p>Does what River's {@code ActivationExporter} does, and also for objects whose remote interface
+ * is package-private, such as those of River's own services, which on today's JDK get non-public
+ * proxy classes that River's refuses.
+ */
+public final class ResurrectingExporter implements Exporter {
+
+  private final ActivationID id;
+  private final Exporter underlying;
+
+  /**
+   * @param id the identifier under which the activation system knows the object
+   * @param underlying exports the object while it lives
+   */
+  public ResurrectingExporter(ActivationID id, Exporter underlying) {
+    this.id = java.util.Objects.requireNonNull(id, "id");
+    this.underlying = java.util.Objects.requireNonNull(underlying, "underlying");
+  }
+
+  @Override
+  public Remote export(Remote impl) throws ExportException {
+    Remote live = underlying.export(impl);
+    try {
+      return proxy(id, live);
+    } catch (IllegalArgumentException e) {
+      underlying.unexport(true);
+      throw new ExportException("no proxy can be made for " + impl.getClass().getName(), e);
+    }
+  }
+
+  @Override
+  public boolean unexport(boolean force) {
+    return underlying.unexport(force);
+  }
+
+  /** A proxy for an activatable object whose live proxy is known, or is not known (null). */
+  static Remote proxy(ActivationID id, Remote live) {
+    Set<Class<?>> interfaces = new LinkedHashSet<>();
+    boolean constrainable = live instanceof RemoteMethodControl;
+    for (@Nullable Class<?> type = live.getClass(); type != null; type = type.getSuperclass()) {
+      for (Class<?> each : type.getInterfaces()) {
+        if (!(constrainable && each == ProxyTrust.class)) {
+          interfaces.add(each);
+        }
+      }
+    }
+    interfaces.add(TrustEquivalence.class);
+    InvocationHandler handler = new ResurrectingHandler(id, live);
+    return (Remote)
+        Proxy.newProxyInstance(
+            live.getClass().getClassLoader(), interfaces.toArray(Class<?>[]::new), handler);
+  }
+}

@@ -1,0 +1,280 @@
+package org.dfra.river.call;
+
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serializable;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
+import java.rmi.MarshalException;
+import java.rmi.NoSuchObjectException;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.ServerError;
+import java.rmi.ServerException;
+import java.rmi.UnknownHostException;
+import java.rmi.activation.ActivateFailedException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
+import java.util.Objects;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.constraint.RemoteMethodControl;
+import net.jini.security.proxytrust.TrustEquivalence;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Invokes an activatable object and brings it back when it is dead.
+ *
+ * <p>It calls the live proxy. Where the object is certainly not there (no such object, no
+ * connection, unknown host) it asks the activator for a new live proxy and tries again, three times
+ * in all, and from the second time on with force. Any other remote failure may have run, so it
+ * reaches the caller at once (at most once), and only the live proxy is forgotten.
+ *
+ * <p>Callers that share a proxy share one activation: they wait for it together and get the same
+ * outcome, so a silent activator costs each of them one deadline, not one after the other.
+ */
+public final class ResurrectingHandler
+    implements InvocationHandler, TrustEquivalence, Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final int ATTEMPTS = 3;
+
+  private final ActivationID id;
+  private final @Nullable MethodConstraints constraints;
+  private @Nullable Remote live; // guarded by this
+  private transient @Nullable FutureTask<Remote> activation; // guarded by this
+
+  ResurrectingHandler(ActivationID id, @Nullable Remote live) {
+    this(id, constrain(live, null), null);
+  }
+
+  private ResurrectingHandler(
+      ActivationID id, @Nullable Remote live, @Nullable MethodConstraints constraints) {
+    this.id = id;
+    this.live = live;
+    this.constraints = constraints;
+  }
+
+  /** The identifier under which the activation system knows the object. */
+  public ActivationID activationID() {
+    return id;
+  }
+
+  /** The proxy that was last known to reach the object, or null. */
+  public synchronized @Nullable Remote live() {
+    return live;
+  }
+
+  @Override
+  public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] args)
+      throws Throwable {
+    Class<?> declarer = method.getDeclaringClass();
+    if (declarer == Object.class) {
+      return objectMethod(proxy, method, args);
+    } else if (declarer == RemoteMethodControl.class) {
+      return method.getName().equals("getConstraints")
+          ? constraints
+          : constrained(proxy, args == null ? null : (MethodConstraints) args[0]);
+    } else if (declarer == TrustEquivalence.class) {
+      return args != null
+          && args[0] != null
+          && handlerOf(args[0]) instanceof ResurrectingHandler other
+          && checkTrustEquivalence(other);
+    }
+    return call(method, args);
+  }
+
+  private @Nullable Object call(Method method, Object @Nullable [] args) throws Throwable {
+    boolean force = false;
+    @Nullable Remote target = live();
+    if (target == null) {
+      target = activate(null, force);
+      force = true;
+    }
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return invokeOn(target, method, args);
+      } catch (NoSuchObjectException
+          | ConnectException
+          | ConnectIOException
+          | UnknownHostException e) {
+        if (attempt == ATTEMPTS) {
+          throw e;
+        }
+        target = activate(target, force);
+        force = true;
+      } catch (MarshalException | ServerError | ServerException e) {
+        throw e;
+      } catch (RemoteException e) {
+        forget(target);
+        throw e;
+      }
+    }
+  }
+
+  private static @Nullable Object invokeOn(Remote target, Method method, Object @Nullable [] args)
+      throws Throwable {
+    if (Proxy.isProxyClass(target.getClass())) {
+      // Not by reflection: the method's interface may be package-private to River.
+      return Proxy.getInvocationHandler(target).invoke(target, method, args);
+    }
+    try {
+      return method.invoke(target, args);
+    } catch (InvocationTargetException e) {
+      throw Objects.requireNonNull(e.getCause());
+    }
+  }
+
+  private synchronized void forget(Remote dead) {
+    if (dead.equals(live)) {
+      live = null;
+    }
+  }
+
+  /** The live proxy that replaces {@code dead}: one that another caller got, or a new one. */
+  private Remote activate(@Nullable Remote dead, boolean force) throws Exception {
+    FutureTask<Remote> shared;
+    boolean mine = false;
+    synchronized (this) {
+      if (live != null && !live.equals(dead)) {
+        return live;
+      }
+      if (activation == null) {
+        activation = new FutureTask<>(() -> askActivator(force));
+        mine = true;
+      }
+      shared = activation;
+    }
+    if (mine) {
+      shared.run();
+    }
+    try {
+      Remote found = shared.get();
+      synchronized (this) {
+        live = found;
+      }
+      return found;
+    } catch (ExecutionException e) {
+      Throwable cause = e.getCause();
+      if (cause instanceof Exception failure) {
+        throw failure;
+      }
+      throw e;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CallInterruptedException("activating " + id, false);
+    } finally {
+      if (mine) {
+        synchronized (this) {
+          activation = null;
+        }
+      }
+    }
+  }
+
+  private Remote askActivator(boolean force) throws RemoteException {
+    try {
+      Remote proxy = id.activate(force);
+      if (!(handlerOf(proxy) instanceof ResurrectingHandler handler)) {
+        throw new ActivateFailedException(
+            "the object came back without a resurrecting proxy; export it with "
+                + ResurrectingExporter.class.getSimpleName());
+      }
+      if (!id.equals(handler.id)) {
+        throw new ActivateFailedException("the object came back under another activation ID");
+      }
+      @Nullable Remote found = handler.live();
+      if (found == null) {
+        throw new ActivateFailedException("the object came back without a live proxy");
+      }
+      return Objects.requireNonNull(constrain(found, constraints));
+    } catch (UnknownObjectException e) {
+      throw withCause(
+          new NoSuchObjectException("the activation system does not know the object any more"), e);
+    } catch (ActivationException e) {
+      throw new ActivateFailedException("the object could not be activated", e);
+    } catch (ActivateFailedException e) {
+      throw e;
+    } catch (ConnectException e) {
+      throw new ConnectException("the activation system cannot be reached", e);
+    } catch (RemoteException e) {
+      throw new ConnectIOException("the activation system did not answer", e);
+    }
+  }
+
+  private static <T extends Throwable> T withCause(T exception, Throwable cause) {
+    exception.initCause(cause);
+    return exception;
+  }
+
+  private Object constrained(Object proxy, @Nullable MethodConstraints wanted) {
+    Class<?> type = proxy.getClass();
+    return Proxy.newProxyInstance(
+        type.getClassLoader(),
+        type.getInterfaces(),
+        new ResurrectingHandler(id, constrain(live(), wanted), wanted));
+  }
+
+  private static @Nullable Remote constrain(
+      @Nullable Remote proxy, @Nullable MethodConstraints wanted) {
+    return proxy instanceof RemoteMethodControl control
+        ? (Remote) control.setConstraints(wanted)
+        : proxy;
+  }
+
+  private Object objectMethod(Object proxy, Method method, Object @Nullable [] args) {
+    return switch (method.getName()) {
+      case "hashCode" -> hashCode();
+      case "equals" ->
+          args != null
+              && args[0] != null
+              && proxy.getClass() == args[0].getClass()
+              && equals(handlerOf(args[0]));
+      default -> "Proxy[" + proxy.getClass().getInterfaces()[0].getSimpleName() + "," + this + "]";
+    };
+  }
+
+  private static @Nullable InvocationHandler handlerOf(Object object) {
+    return Proxy.isProxyClass(object.getClass()) ? Proxy.getInvocationHandler(object) : null;
+  }
+
+  @Override
+  public boolean checkTrustEquivalence(@Nullable Object other) {
+    return other instanceof ResurrectingHandler handler
+        && Objects.equals(constraints, handler.constraints)
+        && id instanceof TrustEquivalence trusted
+        && trusted.checkTrustEquivalence(handler.id);
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ResurrectingHandler handler
+        && id.equals(handler.id)
+        && Objects.equals(constraints, handler.constraints);
+  }
+
+  @Override
+  public int hashCode() {
+    return id.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "ResurrectingHandler[" + id + "]";
+  }
+
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    if (id == null) {
+      throw new InvalidObjectException("no activation ID");
+    }
+  }
+}

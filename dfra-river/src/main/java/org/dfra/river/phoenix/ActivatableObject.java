@@ -1,0 +1,120 @@
+package org.dfra.river.phoenix;
+
+import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
+import java.rmi.MarshalledObject;
+import java.rmi.NoSuchObjectException;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.server.UID;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.river.phoenix.Group.Maker;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One registered object as the daemon sees it. However many callers want it activated, one of them
+ * has it made and the others get the same proxy.
+ */
+final class ActivatableObject {
+
+  private static final int ATTEMPTS = 2;
+
+  final UID uid;
+  final Group group;
+  private final ReentrantLock lock = new ReentrantLock();
+  private volatile ActivationDesc desc;
+  private volatile @Nullable Known known;
+
+  /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
+  private record Known(MarshalledObject<? extends Remote> proxy, long incarnation) {}
+
+  ActivatableObject(UID uid, Group group, ActivationDesc desc) {
+    this.uid = uid;
+    this.group = group;
+    this.desc = desc;
+  }
+
+  ActivationDesc desc() {
+    return desc;
+  }
+
+  void describe(ActivationDesc next) {
+    desc = next;
+  }
+
+  /**
+   * The object's marshalled proxy.
+   *
+   * @param id the object's activation ID
+   * @param force whether to ask the group even if a proxy is known
+   */
+  MarshalledObject<? extends Remote> activate(ActivationID id, boolean force)
+      throws ActivationException {
+    if (!force) {
+      @Nullable MarshalledObject<? extends Remote> proxy = knownProxy();
+      if (proxy != null) {
+        return proxy;
+      }
+    }
+    lock.lock();
+    try {
+      @Nullable MarshalledObject<? extends Remote> proxy = force ? null : knownProxy();
+      return proxy != null ? proxy : make(id);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private MarshalledObject<? extends Remote> make(ActivationID id) throws ActivationException {
+    @Nullable Exception last = null;
+    for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
+      Maker maker = group.maker();
+      try {
+        MarshalledObject<? extends Remote> proxy = maker.instantiator().newInstance(id, desc);
+        known = new Known(proxy, maker.incarnation());
+        return proxy;
+      } catch (NoSuchObjectException | InactiveGroupException e) {
+        group.unusable(maker, false);
+        last = e;
+      } catch (ConnectException | ConnectIOException e) {
+        group.unusable(maker, true);
+        last = e;
+      } catch (RemoteException e) {
+        last = e;
+      }
+    }
+    throw new ActivationException(
+        "an object of group "
+            + group.name
+            + " ("
+            + desc.getClassName()
+            + ") could not be made in "
+            + ATTEMPTS
+            + " attempts: "
+            + (last == null ? "" : last.getMessage()),
+        last);
+  }
+
+  private @Nullable MarshalledObject<? extends Remote> knownProxy() {
+    @Nullable Known now = known;
+    return now != null && group.isActive(now.incarnation()) ? now.proxy() : null;
+  }
+
+  /** The object's group tells its proxy. */
+  void active(MarshalledObject<? extends Remote> proxy) {
+    known = new Known(proxy, group.incarnation());
+  }
+
+  /** The object's group says that it is not active any more. */
+  void inactive() {
+    known = null;
+  }
+
+  /** Whether its proxy is known and its group works. */
+  boolean isActive() {
+    return knownProxy() != null;
+  }
+}

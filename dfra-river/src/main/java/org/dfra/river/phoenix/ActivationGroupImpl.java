@@ -1,0 +1,288 @@
+package org.dfra.river.phoenix;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.rmi.MarshalledObject;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
+import java.rmi.server.RMIClassLoader;
+import java.rmi.server.UnicastRemoteObject;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
+import net.jini.activation.ActivationGroup;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.config.ConfigurationProvider;
+import net.jini.export.Exporter;
+import net.jini.export.ProxyAccessor;
+import net.jini.jeri.BasicJeriExporter;
+import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.river.call.DeadlineILFactory;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The group inside its virtual machine: makes objects when the daemon asks, forgets them when they
+ * become inactive, and ends the machine when none is left.
+ *
+ * <p>Each object has a lock of its own, so that a slow constructor delays only those who want that
+ * object.
+ */
+public final class ActivationGroupImpl extends ActivationGroup {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final Logger LOG = LoggerFactory.getLogger(ActivationGroupImpl.class);
+
+  private static final String COMPONENT = "org.dfra.river.phoenix.group";
+
+  /** The daemon waits for the constructor of an object, which may load classes and open ports. */
+  private static final long INSTANTIATION_DEADLINE_MILLIS = 20_000;
+
+  private final transient ActivationGroupID id;
+  private final transient Exporter exporter;
+  private final transient Remote proxy;
+  private final transient Duration unexportTimeout;
+  private final transient Duration unexportWait;
+  private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
+
+  /** Read: make and drop objects. Write: find that none is left. */
+  private final transient ReentrantReadWriteLock leaving = new ReentrantReadWriteLock();
+
+  private transient boolean left; // guarded by leaving
+
+  /** Where an object is made, once; the strong reference keeps JERI serving it. */
+  private static final class Slot {
+    @Nullable Remote object; // guarded by this
+    @Nullable MarshalledObject<? extends Remote> proxy; // guarded by this
+  }
+
+  /**
+   * Called by {@code createGroup}.
+   *
+   * @param data arguments of the group's Jini configuration, or null for the defaults
+   */
+  public ActivationGroupImpl(ActivationGroupID id, @Nullable MarshalledObject<String[]> data)
+      throws RemoteException, ActivationException {
+    super(id);
+    this.id = id;
+    UnicastRemoteObject.unexportObject(this, true); // JERI serves this group, not JRMP
+    try {
+      Configuration c =
+          ConfigurationProvider.getInstance(data == null ? new String[0] : data.get());
+      this.unexportTimeout =
+          Duration.ofMillis((Long) c.getEntry(COMPONENT, "unexportTimeout", long.class, 5000L));
+      this.unexportWait =
+          Duration.ofMillis((Long) c.getEntry(COMPONENT, "unexportWait", long.class, 10L));
+      this.exporter =
+          Objects.requireNonNull(
+              (Exporter)
+                  c.getEntry(COMPONENT, "instantiatorExporter", Exporter.class, localExporter()));
+      this.proxy = exporter.export(this);
+    } catch (ConfigurationException | java.io.IOException | ClassNotFoundException e) {
+      throw new ActivationException("the group's configuration cannot be used", e);
+    }
+  }
+
+  private static Exporter localExporter() {
+    return new BasicJeriExporter(
+        TcpServerEndpoint.getInstance("127.0.0.1", 0),
+        new DeadlineILFactory(INSTANTIATION_DEADLINE_MILLIS),
+        false,
+        true);
+  }
+
+  @Override
+  public MarshalledObject<? extends Remote> newInstance(ActivationID object, ActivationDesc desc)
+      throws ActivationException {
+    if (!id.equals(desc.getGroupID())) {
+      throw new ActivationException("the object's descriptor is of another group");
+    }
+    leaving.readLock().lock();
+    try {
+      if (left) {
+        throw new InactiveGroupException("the group makes no more objects");
+      }
+      Slot slot = slots.computeIfAbsent(object, key -> new Slot());
+      synchronized (slot) {
+        if (slot.proxy == null) {
+          make(slot, object, desc);
+        }
+        return Objects.requireNonNull(slot.proxy);
+      }
+    } finally {
+      leaving.readLock().unlock();
+    }
+  }
+
+  private static void make(Slot slot, ActivationID object, ActivationDesc desc)
+      throws ActivationException {
+    long began = System.nanoTime();
+    Thread thread = Thread.currentThread();
+    ClassLoader context = thread.getContextClassLoader();
+    try {
+      Class<?> type =
+          RMIClassLoader.loadClass(desc.getLocation(), desc.getClassName(), context);
+      thread.setContextClassLoader(type.getClassLoader());
+      Constructor<?> constructor =
+          type.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
+      constructor.setAccessible(true);
+      if (!(constructor.newInstance(object, desc.getData()) instanceof Remote made)) {
+        throw new ActivationException(desc.getClassName() + " is not Remote");
+      }
+      slot.proxy = new MarshalledObject<>(proxyOf(made));
+      slot.object = made;
+      LOG.info(
+          "Made {} in {} ms.",
+          made,
+          TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began));
+    } catch (InvocationTargetException e) {
+      throw failure(desc, "its constructor failed", Objects.requireNonNull(e.getCause()));
+    } catch (NoSuchMethodException e) {
+      throw failure(
+          desc, "it has no constructor (ActivationID, MarshalledObject)", e);
+    } catch (ClassNotFoundException e) {
+      throw failure(desc, "its class is not on the group's class path", e);
+    } catch (ReflectiveOperationException | java.io.IOException | LinkageError e) {
+      throw failure(desc, "it cannot be constructed", e);
+    } finally {
+      thread.setContextClassLoader(context);
+    }
+  }
+
+  private static Remote proxyOf(Remote made) throws ActivationException {
+    if (!(made instanceof ProxyAccessor accessor)) {
+      return made;
+    }
+    if (!(accessor.getProxy() instanceof Remote proxy)) {
+      throw new ActivationException(made + " offers no remote proxy");
+    }
+    return proxy;
+  }
+
+  /**
+   * The failure as it may travel: a caller need not have the classes of what went wrong here, so
+   * the cause goes as text, and whole into this group's output.
+   */
+  private static ActivationException failure(ActivationDesc desc, String what, Throwable cause) {
+    LOG.error("{}: {}.", desc.getClassName(), what, cause);
+    Exception portable = new Exception(cause.toString());
+    portable.setStackTrace(cause.getStackTrace());
+    return new ActivationException(desc.getClassName() + ": " + what + ": " + cause, portable);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>For objects exported by JRMP, which {@code java.rmi.activation} unexports itself.
+   */
+  @Override
+  public boolean inactiveObject(ActivationID object)
+      throws ActivationException, RemoteException {
+    return inactive(object, null);
+  }
+
+  @Override
+  public boolean inactiveObject(ActivationID object, @Nullable Exporter itsExporter)
+      throws ActivationException, RemoteException {
+    return inactive(object, Objects.requireNonNull(itsExporter, "exporter"));
+  }
+
+  private boolean inactive(ActivationID object, @Nullable Exporter itsExporter)
+      throws ActivationException, RemoteException {
+    Slot slot = slots.get(object);
+    if (slot == null) {
+      throw new UnknownObjectException("the object is not active in this group");
+    }
+    synchronized (slot) {
+      if (slots.get(object) != slot || slot.object == null) {
+        throw new UnknownObjectException("the object is not active in this group");
+      }
+      boolean unexported =
+          itsExporter != null
+              ? itsExporter.unexport(false)
+              : UnicastRemoteObject.unexportObject(slot.object, false);
+      if (!unexported) {
+        return false;
+      }
+      // Until the daemon knows, nobody may make the object again: the lock is held meanwhile.
+      super.inactiveObject(object);
+      slot.object = null;
+      slot.proxy = null;
+    }
+    leaveIfEmpty();
+    return true;
+  }
+
+  @Override
+  public void activeObject(ActivationID object, Remote itself)
+      throws ActivationException, RemoteException {
+    MarshalledObject<? extends Remote> marshalled;
+    try {
+      marshalled = new MarshalledObject<>(proxyOf(itself));
+    } catch (java.io.IOException e) {
+      throw new ActivationException("the proxy of " + itself + " cannot be marshalled", e);
+    }
+    Slot slot = slots.computeIfAbsent(object, key -> new Slot());
+    synchronized (slot) {
+      if (slot.object != null) {
+        return; // known: activating twice is no fault
+      }
+      slot.object = itself;
+      slot.proxy = marshalled;
+    }
+    super.activeObject(object, marshalled);
+  }
+
+  private void leaveIfEmpty() throws ActivationException, RemoteException {
+    leaving.writeLock().lock();
+    try {
+      slots.values().removeIf(ActivationGroupImpl::isEmpty);
+      if (left || !slots.isEmpty()) {
+        return;
+      }
+      left = true;
+    } finally {
+      leaving.writeLock().unlock();
+    }
+    inactiveGroup();
+    new Thread(this::end, "group-end").start();
+  }
+
+  private static boolean isEmpty(Slot slot) {
+    synchronized (slot) {
+      return slot.object == null;
+    }
+  }
+
+  /** Lets calls that are under way finish, then ends the virtual machine. */
+  private void end() {
+    long end = System.nanoTime() + unexportTimeout.toNanos();
+    while (!exporter.unexport(false) && System.nanoTime() - end < 0) {
+      LockSupport.parkNanos(this, unexportWait.toNanos());
+    }
+    exporter.unexport(true);
+    LOG.info("Nothing is left to do in this group; its virtual machine ends.");
+    Runtime.getRuntime().exit(0);
+  }
+
+  /** What the daemon gets when this group reports to it. */
+  private Object writeReplace() {
+    return proxy;
+  }
+
+  private void readObject(java.io.ObjectInputStream in) throws java.io.InvalidObjectException {
+    throw new java.io.InvalidObjectException("a group never leaves its virtual machine");
+  }
+}

@@ -1,0 +1,34 @@
+package org.dfra.river.phoenix;
+
+import java.rmi.MarshalledObject;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.Activator;
+import java.rmi.activation.UnknownObjectException;
+
+/** What proxies of dead objects call, from anywhere. */
+final class ActivatorService implements Activator {
+
+  private final Daemon daemon;
+
+  ActivatorService(Daemon daemon) {
+    this.daemon = daemon;
+  }
+
+  @Override
+  public MarshalledObject<? extends Remote> activate(ActivationID id, boolean force)
+      throws ActivationException, RemoteException {
+    return object(daemon, id).activate(id, force);
+  }
+
+  /** The object of an ID, where the ID is one of this daemon's. */
+  static ActivatableObject object(Daemon daemon, ActivationID id) throws UnknownObjectException {
+    if (!(id instanceof JeriActivationID known)) {
+      throw new UnknownObjectException(
+          "an ID of " + id.getClass().getName() + " is not one of phoenix's");
+    }
+    return daemon.object(known.uid());
+  }
+}

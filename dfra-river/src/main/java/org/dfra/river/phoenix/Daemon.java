@@ -1,0 +1,438 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.Activator;
+import java.rmi.activation.UnknownGroupException;
+import java.rmi.activation.UnknownObjectException;
+import java.rmi.server.UID;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The daemon's logic: what is registered, which processes run, who is restarted when. It knows no
+ * network; the services in front of it do.
+ *
+ * <p>Threads: {@code phoenix-timer} (one) starts what is due later, {@code phoenix-work-n} restart
+ * objects and wait for the end of processes. Both begin with {@link #recover} and end with {@link
+ * #stop}.
+ */
+final class Daemon {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Daemon.class);
+
+  private final PhoenixConfiguration configuration;
+  private final InstantSource clock;
+  private final Journal journal;
+  private final Map<ActivationGroupID, Group> groups = new ConcurrentHashMap<>();
+  private final Map<UID, ActivatableObject> objects = new ConcurrentHashMap<>();
+  private final Semaphore launches;
+  private final ScheduledExecutorService timer =
+      Executors.newSingleThreadScheduledExecutor(task -> thread(task, "phoenix-timer"));
+  private final ExecutorService work =
+      Executors.newCachedThreadPool(task -> thread(task, "phoenix-work"));
+  private volatile @Nullable Activator activator;
+  private volatile boolean running = true;
+
+  Daemon(PhoenixConfiguration configuration, InstantSource clock, Journal journal) {
+    this.configuration = configuration;
+    this.clock = clock;
+    this.journal = journal;
+    this.launches = new Semaphore(configuration.groupThrottle());
+  }
+
+  /**
+   * Takes up what the journal says: registers everything again, takes back the processes that still
+   * live, and ends those of registered groups that no journal entry knows.
+   */
+  void recover() {
+    List<Runnable> adoptions = new ArrayList<>();
+    journal.read(
+        registrations -> {
+          registrations.groups.forEach(
+              (id, record) -> {
+                Group group = new Group(this, id, record.name, record.incarnation);
+                groups.put(id, group);
+                if (record.process != null && record.process.isAlive()) {
+                  ProcessIdentity process = record.process;
+                  adoptions.add(() -> adopt(group, process, record));
+                }
+              });
+          registrations.objects.forEach(
+              (uid, desc) -> {
+                Group group = groups.get(desc.getGroupID());
+                if (group != null) {
+                  objects.put(uid, new ActivatableObject(uid, group, desc));
+                }
+              });
+          return null;
+        });
+    adoptions.forEach(Runnable::run);
+    endStrays();
+  }
+
+  private void adopt(Group group, ProcessIdentity process, Registrations.GroupRecord record) {
+    @Nullable ActivationInstantiator known = null;
+    if (record.instantiator != null) {
+      try {
+        known = prepared(record.instantiator.get());
+      } catch (IOException | ClassNotFoundException e) {
+        LOG.warn("The instantiator of group {} cannot be read back: {}", group.name, e.toString());
+      }
+    }
+    group.adopt(process, known, record.leaving);
+    watch(group, process, null);
+    if (record.leaving) {
+      endLater(process);
+    } else if (group.status(0).state() == GroupStatus.State.STARTING) {
+      after(configuration.groupTimeout(), () -> group.endUnlessReported(process));
+    }
+  }
+
+  private void endStrays() {
+    GroupProcess.running(journal.<java.util.UUID>read(r -> r.daemon))
+        .filter(
+            found ->
+                groups.values().stream()
+                    .filter(group -> group.name.equals(found.group()))
+                    .anyMatch(group -> !group.process().equals(Optional.of(found.process()))))
+        .forEach(
+            found -> {
+              LOG.warn(
+                  "Process {} of group {} is in no journal entry and is ended.",
+                  found.process().pid(),
+                  found.group());
+              found.process().destroy(true);
+              found.process().awaitDeath(configuration.groupTimeout());
+            });
+  }
+
+  /** Restarts what is marked so and is not active. Called when the services are exported. */
+  void open(Activator exported) {
+    activator = exported;
+    groups.values().forEach(group -> restartLater(group, Duration.ZERO));
+  }
+
+  // Registration
+
+  ActivationGroupID registerGroup(ActivationGroupID id, ActivationGroupDesc desc)
+      throws ActivationException {
+    requireRunning();
+    configuration.execPolicy().check(desc);
+    synchronized (groups) {
+      String name = journal.<String>read(r -> r.nextNumber + nameHint(desc));
+      journal.commit(new Change.GroupRegistered(id, name, desc));
+      groups.put(id, new Group(this, id, name, 0));
+      LOG.info("Registered group {}.", name);
+    }
+    return id;
+  }
+
+  private static String nameHint(ActivationGroupDesc desc) {
+    String hint =
+        desc.getPropertyOverrides() == null
+            ? null
+            : desc.getPropertyOverrides().getProperty(Phoenix.GROUP_NAME);
+    return hint == null ? "-group" : "-" + hint.replaceAll("[^A-Za-z0-9_.]+", ".");
+  }
+
+  ActivationGroupDesc describeGroup(ActivationGroupID id, ActivationGroupDesc desc)
+      throws ActivationException {
+    requireRunning();
+    group(id);
+    configuration.execPolicy().check(desc);
+    synchronized (groups) {
+      ActivationGroupDesc old = groupDesc(id);
+      journal.commit(new Change.GroupDescribed(id, desc));
+      return old;
+    }
+  }
+
+  ActivationGroupDesc groupDesc(ActivationGroupID id) throws UnknownGroupException {
+    group(id);
+    return journal.read(r -> r.group(id).desc);
+  }
+
+  void unregisterGroup(ActivationGroupID id) throws ActivationException {
+    requireRunning();
+    synchronized (groups) {
+      Group group = group(id);
+      journal.commit(new Change.GroupUnregistered(id));
+      groups.remove(id);
+      objects.values().removeIf(object -> object.group == group);
+      group.forget();
+      LOG.info("Unregistered group {}.", group.name);
+    }
+  }
+
+  UID registerObject(ActivationDesc desc) throws ActivationException {
+    requireRunning();
+    synchronized (groups) {
+      Group group = group(desc.getGroupID());
+      UID uid = new UID();
+      journal.commit(new Change.ObjectRegistered(uid, desc));
+      objects.put(uid, new ActivatableObject(uid, group, desc));
+      return uid;
+    }
+  }
+
+  ActivationDesc describeObject(UID uid, ActivationDesc desc) throws ActivationException {
+    requireRunning();
+    synchronized (groups) {
+      ActivatableObject object = object(uid);
+      if (!object.group.id.equals(desc.getGroupID())) {
+        throw new ActivationException(
+            "the new descriptor is of another group; an object stays in " + object.group.name);
+      }
+      ActivationDesc old = object.desc();
+      journal.commit(new Change.ObjectDescribed(uid, desc));
+      object.describe(desc);
+      return old;
+    }
+  }
+
+  void unregisterObject(UID uid) throws ActivationException {
+    requireRunning();
+    synchronized (groups) {
+      object(uid);
+      journal.commit(new Change.ObjectUnregistered(uid));
+      objects.remove(uid);
+    }
+  }
+
+  Group group(ActivationGroupID id) throws UnknownGroupException {
+    Group group = groups.get(id);
+    if (group == null) {
+      throw new UnknownGroupException("phoenix has no such group registered");
+    }
+    return group;
+  }
+
+  ActivatableObject object(UID uid) throws UnknownObjectException {
+    ActivatableObject object = objects.get(uid);
+    if (object == null) {
+      throw new UnknownObjectException("phoenix has no such object registered");
+    }
+    return object;
+  }
+
+  /** The activation ID of a registered object. */
+  ActivationID activationID(UID uid) {
+    return new JeriActivationID(Objects.requireNonNull(activator, "not open yet"), uid);
+  }
+
+  /** Every group's descriptor. */
+  Map<ActivationGroupID, ActivationGroupDesc> groupDescs() {
+    return journal.read(
+        r -> {
+          Map<ActivationGroupID, ActivationGroupDesc> descs = new java.util.LinkedHashMap<>();
+          r.groups.forEach((id, record) -> descs.put(id, record.desc));
+          return descs;
+        });
+  }
+
+  /** The descriptors of a group's objects. */
+  Map<ActivationID, ActivationDesc> objectDescs(ActivationGroupID id) throws UnknownGroupException {
+    group(id);
+    Map<ActivationID, ActivationDesc> descs = new java.util.LinkedHashMap<>();
+    journal
+        .<Map<UID, ActivationDesc>>read(r -> r.objectsOf(id))
+        .forEach((uid, desc) -> descs.put(activationID(uid), desc));
+    return descs;
+  }
+
+  /** What an administrator sees. */
+  List<GroupStatus> status() {
+    List<ActivationGroupID> order = journal.read(r -> List.copyOf(r.groups.keySet()));
+    return order.stream()
+        .map(groups::get)
+        .filter(Objects::nonNull)
+        .map(
+            group ->
+                group.status(
+                    (int) objects.values().stream().filter(o -> o.group == group).count()))
+        .toList();
+  }
+
+  // Processes
+
+  /** Starts a process for an incarnation of a group, at most so many at once as configured. */
+  void launch(Group group, long incarnation) throws IOException, ActivationException {
+    launches.acquireUninterruptibly();
+    try {
+      journal.commit(new Change.Launching(group.id, incarnation));
+      ActivationGroupDesc desc = withDefaults(groupDesc(group.id));
+      Process process =
+          GroupProcess.start(
+              journal.<java.util.UUID>read(r -> r.daemon), group.name, desc, configuration);
+      try {
+        ProcessIdentity identity = ProcessIdentity.of(process.toHandle());
+        journal.commit(new Change.Launched(group.id, identity));
+        group.launched(identity);
+        watch(group, identity, process);
+        after(configuration.groupTimeout(), () -> group.endUnlessReported(identity));
+        GroupProcess.feed(process, group.id, desc, incarnation);
+      } catch (IOException e) {
+        LOG.debug("Group {} ended before it could be told what it is.", group.name, e);
+      } catch (ActivationException e) {
+        process.destroyForcibly();
+        throw e;
+      }
+    } finally {
+      launches.release();
+    }
+  }
+
+  private ActivationGroupDesc withDefaults(ActivationGroupDesc desc) throws IOException {
+    boolean custom = desc.getClassName() != null;
+    return new ActivationGroupDesc(
+        custom ? desc.getClassName() : ActivationGroupImpl.class.getName(),
+        custom ? desc.getLocation() : configuration.groupLocation(),
+        desc.getData() != null || configuration.groupConfig() == null
+            ? desc.getData()
+            : new java.rmi.MarshalledObject<>(configuration.groupConfig()),
+        desc.getPropertyOverrides(),
+        desc.getCommandEnvironment());
+  }
+
+  private void watch(Group group, ProcessIdentity identity, @Nullable Process child) {
+    if (child != null) {
+      child
+          .onExit()
+          .thenAccept(
+              ended -> group.died(identity, "ended (exit code " + ended.exitValue() + ")"));
+    } else {
+      work.execute(
+          () -> {
+            if (identity.awaitDeath(Duration.ofDays(36500))) {
+              group.died(identity, "ended (exit code unknown: it was a former phoenix's child)");
+            }
+          });
+    }
+  }
+
+  /** Ends a process that said it would end, if it has not done so in a while. */
+  void endLater(ProcessIdentity process) {
+    after(configuration.unexportTimeout().plusSeconds(2), () -> process.destroy(true));
+  }
+
+  /** Activates the objects of a group that are marked to be restarted, after a delay. */
+  void restartLater(Group group, Duration delay) {
+    List<ActivatableObject> marked =
+        objects.values().stream()
+            .filter(o -> o.group == group && o.desc().getRestartMode())
+            .toList();
+    if (marked.isEmpty()) {
+      return;
+    }
+    LOG.info("Objects of group {} are restarted in {} ms.", group.name, delay.toMillis());
+    after(delay, () -> marked.forEach(object -> work.execute(() -> restart(object, 1))));
+  }
+
+  private void restart(ActivatableObject object, int attempt) {
+    if (!running || objects.get(object.uid) != object) {
+      return;
+    }
+    try {
+      object.activate(activationID(object.uid), false);
+    } catch (ActivationException e) {
+      boolean groupLives = object.group.process().isPresent();
+      LOG.warn("Group {}: {}", object.group.name, e.getMessage());
+      // Where the group itself failed, its own history decides about the next start.
+      if (groupLives && attempt < configuration.restartPolicy().limit()) {
+        after(
+            configuration.restartPolicy().delay(attempt + 1),
+            () -> work.execute(() -> restart(object, attempt + 1)));
+      }
+    }
+  }
+
+  private void after(Duration delay, Runnable task) {
+    if (running) {
+      timer.schedule(task, delay.toNanos(), TimeUnit.NANOSECONDS);
+    }
+  }
+
+  /** An instantiator prepared as configured. */
+  ActivationInstantiator prepared(ActivationInstantiator raw) throws RemoteException {
+    return (ActivationInstantiator) configuration.instantiatorPreparer().prepareProxy(raw);
+  }
+
+  // The end
+
+  /** Ends every process and the daemon's own threads, then closes the journal. */
+  void stop(Duration patience) {
+    running = false;
+    groups.values().forEach(Group::wake);
+    List<ProcessIdentity> processes =
+        groups.values().stream().flatMap(g -> g.process().stream()).toList();
+    processes.forEach(process -> process.destroy(false));
+    for (ProcessIdentity process : processes) {
+      if (!process.awaitDeath(patience)) {
+        process.destroy(true);
+        process.awaitDeath(patience);
+      }
+    }
+    timer.shutdownNow();
+    work.shutdownNow();
+    try {
+      journal.close();
+    } catch (IOException e) {
+      LOG.warn("The journal did not close well; every acknowledged change is safe in it.", e);
+    }
+  }
+
+  boolean isRunning() {
+    return running;
+  }
+
+  void requireRunning() throws ActivationException {
+    if (!running) {
+      throw new ActivationException("phoenix is shutting down; ask the next one");
+    }
+  }
+
+  PhoenixConfiguration configuration() {
+    return configuration;
+  }
+
+  InstantSource clock() {
+    return clock;
+  }
+
+  Journal journal() {
+    return journal;
+  }
+
+  /** The file with what a group's process prints. */
+  Path output(String group) {
+    return configuration.outputDirectory().resolve(group + ".log");
+  }
+
+  private static Thread thread(Runnable task, String name) {
+    Thread thread = new Thread(task, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+}

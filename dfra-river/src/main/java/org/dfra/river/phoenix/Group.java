@@ -1,0 +1,404 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.UnknownGroupException;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.river.phoenix.GroupStatus.State;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One group as the daemon sees it: its process, and how it comes and goes. The states are drawn at
+ * {@link State}.
+ *
+ * <p>A start is made by the thread that needs it; others wait for its outcome. The group leaves a
+ * process's states only when that process is proven dead.
+ */
+final class Group {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Group.class);
+
+  final ActivationGroupID id;
+  final String name;
+
+  private final Daemon daemon;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private final CrashHistory crashes; // this and all below guarded by lock
+  private State state = State.IDLE;
+  private long incarnation;
+  private @Nullable ProcessIdentity process;
+  private @Nullable ActivationInstantiator instantiator;
+  private boolean adopted;
+  private boolean forgotten;
+  private String lastFailure = "";
+
+  Group(Daemon daemon, ActivationGroupID id, String name, long incarnation) {
+    this.daemon = daemon;
+    this.id = id;
+    this.name = name;
+    this.incarnation = incarnation;
+    this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.clock());
+  }
+
+  /** An instantiator and the incarnation it belongs to. */
+  record Maker(ActivationInstantiator instantiator, long incarnation) {}
+
+  /**
+   * The instantiator of the group's process, which is started where there is none.
+   *
+   * @throws ActivationException if it cannot be started, ends while it starts, takes too long or is
+   *     held off because it crashed too often
+   */
+  Maker maker() throws ActivationException {
+    lock.lock();
+    try {
+      long nanos = daemon.configuration().groupTimeout().toNanos();
+      long awaited = -1;
+      while (true) {
+        daemon.requireRunning();
+        if (state == State.ACTIVE && instantiator != null) {
+          return new Maker(instantiator, incarnation);
+        }
+        if (state == State.IDLE) {
+          if (awaited == incarnation) {
+            throw new ActivationException("group " + name + " " + lastFailure);
+          }
+          requireNotHeldOff();
+          launch();
+          continue;
+        }
+        if (state == State.STARTING) {
+          awaited = incarnation;
+        }
+        if (nanos <= 0) {
+          throw tooLong();
+        }
+        nanos = changed.awaitNanos(nanos);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new ActivationException("interrupted while group " + name + " started", e);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void requireNotHeldOff() throws ActivationException {
+    if (crashes.heldOffUntil().isPresent()) {
+      throw new ActivationException(
+          "group "
+              + name
+              + " crashed "
+              + crashes.recentCount()
+              + " times within "
+              + daemon.configuration().restartPolicy().window().toSeconds()
+              + " s and is held off until "
+              + crashes.heldOffUntil().get()
+              + "; the last time it "
+              + lastFailure);
+    }
+  }
+
+  private ActivationException tooLong() {
+    return new ActivationException(
+        "group "
+            + name
+            + " was not ready within "
+            + daemon.configuration().groupTimeout().toMillis()
+            + " ms; see "
+            + daemon.output(name));
+  }
+
+  /** Starts a process. Gives up the lock while it waits for its turn and forks. */
+  private void launch() throws ActivationException {
+    state = State.STARTING;
+    adopted = false;
+    long mine = incarnation + 1;
+    incarnation = mine;
+    lock.unlock();
+    try {
+      daemon.launch(this, mine);
+    } catch (IOException | ActivationException e) {
+      lock.lock();
+      try {
+        if (process == null) {
+          ended("could not be started: " + e.getMessage());
+        }
+      } finally {
+        lock.unlock();
+      }
+      throw new ActivationException(
+          "group " + name + " cannot be started: " + e.getMessage() + "; mend its command", e);
+    } finally {
+      lock.lock();
+    }
+  }
+
+  /** Notes the process that was started for an incarnation, before it is told its group. */
+  void launched(ProcessIdentity started) {
+    lock.lock();
+    try {
+      process = started;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Takes back a process that a former daemon started. */
+  void adopt(ProcessIdentity found, @Nullable ActivationInstantiator known, boolean leaving) {
+    lock.lock();
+    try {
+      process = found;
+      adopted = true;
+      instantiator = known;
+      state = leaving ? State.LEAVING : known == null ? State.STARTING : State.ACTIVE;
+      LOG.info("Took back group {}: process {} is {}.", name, found.pid(), state);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * The group's process reports that it makes objects.
+   *
+   * @throws ActivationException if it is not the process that was started last, or another one has
+   *     reported before it
+   */
+  void reported(ActivationInstantiator reporter, long itsIncarnation) throws ActivationException {
+    lock.lock();
+    try {
+      if (itsIncarnation != incarnation || state == State.IDLE || state == State.LEAVING) {
+        throw new ActivationException(
+            "incarnation "
+                + itsIncarnation
+                + " of group "
+                + name
+                + " is refused: the daemon knows incarnation "
+                + incarnation
+                + " as "
+                + state);
+      }
+      if (state == State.ACTIVE) {
+        if (!reporter.equals(instantiator)) {
+          throw new ActivationException("group " + name + " already has an instantiator");
+        }
+        return;
+      }
+      daemon.journal().commit(new Change.Reported(id, new MarshalledObject<>(reporter)));
+      instantiator = reporter;
+      state = State.ACTIVE;
+      changed.signalAll();
+      LOG.info(
+          "Group {} is up: incarnation {}, process {}.",
+          name,
+          incarnation,
+          process == null ? "?" : process.pid());
+    } catch (IOException e) {
+      throw new ActivationException("the instantiator of group " + name + " cannot be kept", e);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * The group's process makes no more objects and will end.
+   *
+   * @throws UnknownGroupException if it is not the process that was started last
+   */
+  void leaves(long itsIncarnation) throws ActivationException {
+    lock.lock();
+    try {
+      if (itsIncarnation != incarnation || state == State.IDLE) {
+        throw new UnknownGroupException(
+            "incarnation " + itsIncarnation + " of group " + name + " is not the current one");
+      }
+      leave();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void leave() throws ActivationException {
+    if (state == State.LEAVING) {
+      return;
+    }
+    state = State.LEAVING;
+    instantiator = null;
+    changed.signalAll();
+    LOG.info("Group {} has nothing left to do; its process ends.", name);
+    if (process != null) {
+      daemon.endLater(process);
+    }
+    daemon.journal().commit(new Change.Left(id));
+  }
+
+  /**
+   * An instantiator cannot be used: it makes no objects any more, or it cannot be reached.
+   *
+   * @param unreachable whether its process is to be ended, since nobody can talk to it
+   */
+  void unusable(Maker maker, boolean unreachable) throws ActivationException {
+    @Nullable ProcessIdentity condemned = null;
+    lock.lock();
+    try {
+      if (maker.incarnation() != incarnation || state != State.ACTIVE) {
+        return;
+      }
+      if (unreachable) {
+        condemned = process;
+      } else {
+        leave();
+      }
+    } finally {
+      lock.unlock();
+    }
+    if (condemned != null) {
+      condemned.destroy(true);
+      if (condemned.awaitDeath(daemon.configuration().groupTimeout())) {
+        died(condemned, "could not be reached and was ended");
+      }
+    }
+  }
+
+  /**
+   * A process of this group has ended. Where it was the current one, and it had not said that it
+   * would, that is a crash.
+   *
+   * @param how it ended, as the rest of a sentence that begins with the group's name
+   */
+  void died(ProcessIdentity who, String how) {
+    lock.lock();
+    try {
+      if (who.equals(process)) {
+        ended(how);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void ended(String how) {
+    boolean crash = state != State.LEAVING && !forgotten && daemon.isRunning();
+    state = State.IDLE;
+    process = null;
+    instantiator = null;
+    adopted = false;
+    lastFailure = how + "; see " + daemon.output(name);
+    changed.signalAll();
+    if (crash) {
+      crashes.crashed(how);
+      LOG.warn("Group {} {} ({} crashes lately).", name, how, crashes.recentCount());
+      Optional<Duration> delay = crashes.restartDelay();
+      if (delay.isPresent()) {
+        daemon.restartLater(this, delay.get());
+      } else {
+        LOG.error(
+            "Group {} crashed {} times within {} s: it is left alone until {} and then started by"
+                + " the next call. See {}.",
+            name,
+            crashes.recentCount(),
+            daemon.configuration().restartPolicy().window().toSeconds(),
+            crashes.heldOffUntil().orElseThrow(),
+            daemon.output(name));
+      }
+    } else {
+      LOG.info("Group {} {}.", name, how);
+    }
+  }
+
+  /** Whether this incarnation is the one that works now. */
+  boolean isActive(long itsIncarnation) {
+    lock.lock();
+    try {
+      return state == State.ACTIVE && itsIncarnation == incarnation;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The incarnation started last. */
+  long incarnation() {
+    lock.lock();
+    try {
+      return incarnation;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The group was unregistered: its process may live on, but is nobody's business here. */
+  void forget() {
+    lock.lock();
+    try {
+      forgotten = true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The group's process, where there is one. */
+  Optional<ProcessIdentity> process() {
+    lock.lock();
+    try {
+      return Optional.ofNullable(process);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Ends a process that has still not reported. */
+  void endUnlessReported(ProcessIdentity who) {
+    lock.lock();
+    try {
+      if (state == State.STARTING && who.equals(process)) {
+        LOG.warn("Group {}: process {} never reported and is ended.", name, who.pid());
+        who.destroy(true);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** What an administrator sees. */
+  GroupStatus status(int objects) {
+    lock.lock();
+    try {
+      return new GroupStatus(
+          name,
+          state,
+          incarnation,
+          process == null ? -1 : process.pid(),
+          adopted,
+          objects,
+          crashes.recentCount(),
+          crashes.total(),
+          crashes.last().orElse(null),
+          crashes.heldOffUntil().orElse(null),
+          daemon.output(name).toString());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Makes waiters look again, for the end of the daemon. */
+  void wake() {
+    lock.lock();
+    try {
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+}

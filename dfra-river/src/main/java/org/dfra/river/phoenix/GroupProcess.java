@@ -1,0 +1,129 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.io.ObjectOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Starts the processes of groups and finds them again.
+ *
+ * <p>A process is started in two steps. It does nothing until it has read from its standard input
+ * which group it is, and the daemon writes that only when the process's number is safe in the
+ * journal. So a daemon that dies between the two leaves a process that ends by itself, and never
+ * one that works and is not known.
+ */
+final class GroupProcess {
+
+  /** System property by which a group's process is known, {@code daemon/group}. */
+  static final String MARK = "org.dfra.phoenix.group";
+
+  /** System property with the file that the process locks. */
+  static final String LOCK = "org.dfra.phoenix.lock";
+
+  /** System property with the file that the process writes its output to. */
+  static final String OUTPUT = "org.dfra.phoenix.output";
+
+  private GroupProcess() {}
+
+  /**
+   * Starts a process that waits to be told its group.
+   *
+   * @throws IOException if the command does not exist or cannot be executed
+   */
+  static Process start(
+      UUID daemon, String group, ActivationGroupDesc desc, PhoenixConfiguration configuration)
+      throws IOException {
+    Files.createDirectories(configuration.outputDirectory());
+    Path said = configuration.outputDirectory().resolve(group + ".vm.log");
+    if (Files.exists(said) && Files.size(said) > 0) {
+      Files.move(
+          said,
+          said.resolveSibling(group + ".vm.log.1"),
+          StandardCopyOption.REPLACE_EXISTING);
+    }
+    return new ProcessBuilder(command(daemon, group, desc, configuration))
+        .redirectErrorStream(true)
+        .redirectOutput(said.toFile())
+        .start();
+  }
+
+  /** The argument list of a group's process. */
+  static List<String> command(
+      UUID daemon, String group, ActivationGroupDesc desc, PhoenixConfiguration configuration) {
+    List<String> command = new ArrayList<>();
+    ActivationGroupDesc.@Nullable CommandEnvironment environment = desc.getCommandEnvironment();
+    String path = environment == null ? null : environment.getCommandPath();
+    command.add(path != null ? path : Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add(mark(daemon) + group);
+    if (environment != null) {
+      command.addAll(List.of(environment.getCommandOptions()));
+    }
+    if (desc.getPropertyOverrides() != null) {
+      desc.getPropertyOverrides().forEach((name, value) -> command.add("-D" + name + "=" + value));
+    }
+    command.addAll(configuration.groupOptions());
+    command.add("-D" + LOCK + "=" + lockFile(configuration, group));
+    command.add("-D" + OUTPUT + "=" + configuration.outputDirectory().resolve(group + ".log"));
+    command.add(GroupVm.class.getName());
+    return command;
+  }
+
+  /** Tells a started process which group it is, and lets it go to work. */
+  static void feed(Process process, ActivationGroupID id, ActivationGroupDesc desc, long incarnation)
+      throws IOException {
+    try (ObjectOutputStream out = new ObjectOutputStream(process.getOutputStream())) {
+      out.writeObject(id);
+      out.writeObject(desc);
+      out.writeLong(incarnation);
+    }
+  }
+
+  /** The processes of a daemon's groups that run now, with the group's name. */
+  static Stream<Found> running(UUID daemon) {
+    String mark = mark(daemon);
+    return ProcessHandle.allProcesses()
+        .flatMap(
+            handle ->
+                arguments(handle)
+                    .filter(argument -> argument.startsWith(mark))
+                    .findFirst()
+                    .map(a -> new Found(a.substring(mark.length()), ProcessIdentity.of(handle)))
+                    .stream());
+  }
+
+  /** A running process of a group. */
+  record Found(String group, ProcessIdentity process) {}
+
+  /** The file that a group's process locks. */
+  static Path lockFile(PhoenixConfiguration configuration, String group) {
+    return configuration.persistenceDirectory().resolve(group + ".lock");
+  }
+
+  private static String mark(UUID daemon) {
+    return "-D" + MARK + "=" + daemon + "/";
+  }
+
+  private static Stream<String> arguments(ProcessHandle handle) {
+    Path file = Path.of("/proc", Long.toString(handle.pid()), "cmdline");
+    if (Files.isReadable(file)) {
+      try {
+        return Stream.of(Files.readString(file, StandardCharsets.ISO_8859_1).split("\0"));
+      } catch (IOException e) {
+        return Stream.empty(); // it ended meanwhile
+      }
+    }
+    Optional<String[]> arguments = handle.info().arguments();
+    return arguments.stream().flatMap(Stream::of);
+  }
+}

@@ -1,0 +1,93 @@
+package org.dfra.river.phoenix;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import net.jini.activation.ActivationGroup;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.bridge.SLF4JBridgeHandler;
+
+/**
+ * The virtual machine of one group. Phoenix starts it, tells it its group on standard input, and
+ * never hears of it again if it dies: then the daemon sees its process end.
+ */
+public final class GroupVm {
+
+  /** Exit code when the daemon went away before it told the group. */
+  static final int NOT_TOLD = 10;
+
+  /** Exit code when another virtual machine still owns the group. */
+  static final int OWNED = 11;
+
+  /** Exit code when the group could not be created or was refused. */
+  static final int REFUSED = 12;
+
+  private static final long OUTPUT_LIMIT = 4 << 20;
+  private static final int OUTPUTS_KEPT = 4;
+
+  private GroupVm() {}
+
+  /** Waits to be told the group, takes its lock, creates it. */
+  public static void main(String[] args) {
+    try {
+      ObjectInputStream in = new ObjectInputStream(System.in);
+      ActivationGroupID id = (ActivationGroupID) in.readObject();
+      ActivationGroupDesc desc = (ActivationGroupDesc) in.readObject();
+      long incarnation = in.readLong();
+      in.close();
+      redirectOutput();
+      own(Path.of(System.getProperty(GroupProcess.LOCK)));
+      ActivationGroup.createGroup(id, desc, incarnation);
+    } catch (EOFException e) {
+      end(NOT_TOLD, "Phoenix went away before it said which group to run.");
+    } catch (IOException e) {
+      end(OWNED, e.getMessage());
+    } catch (ActivationException e) {
+      end(REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
+    } catch (ClassNotFoundException e) {
+      end(REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
+    }
+  }
+
+  /** The lock is held by the process, so nothing refers to it any more. */
+  @SuppressWarnings("CheckReturnValue")
+  private static void own(Path lockFile) throws IOException {
+    Ownership.lock = GroupLock.take(lockFile);
+  }
+
+  /** Keeps the lock's channel reachable: a collected channel is closed, and the lock with it. */
+  private static final class Ownership {
+    @SuppressWarnings("unused")
+    private static @Nullable GroupLock lock;
+  }
+
+  private static void redirectOutput() throws IOException {
+    PrintStream out =
+        new PrintStream(
+            new RotatingOutput(
+                Path.of(System.getProperty(GroupProcess.OUTPUT)), OUTPUT_LIMIT, OUTPUTS_KEPT),
+            true,
+            StandardCharsets.UTF_8);
+    System.setOut(out);
+    System.setErr(out);
+    SLF4JBridgeHandler.removeHandlersForRootLogger();
+    SLF4JBridgeHandler.install();
+  }
+
+  private static String cause(Throwable e) {
+    return e.getCause() == null || String.valueOf(e.getMessage()).contains("nested exception")
+        ? ""
+        : ": " + e.getCause();
+  }
+
+  private static void end(int code, String reason) {
+    System.err.println(reason);
+    Runtime.getRuntime().halt(code);
+  }
+}

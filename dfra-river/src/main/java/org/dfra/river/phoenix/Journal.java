@@ -1,0 +1,150 @@
+package org.dfra.river.phoenix;
+
+import com.sun.jini.reliableLog.ReliableLog;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Keeps the registrations on disk: a snapshot and the changes since, each one synced before it
+ * counts. Thread-safe; its lock is taken last.
+ *
+ * <p>When a change cannot be written (a full disk) it has not happened: the journal is then opened
+ * anew, from a snapshot of what counts, before the next change is taken.
+ */
+final class Journal implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
+
+  private final Path folder;
+  private final int snapshotThreshold;
+  private final Registrations registrations;
+  private @Nullable ReliableLog log; // null: to be opened anew before the next change
+  private int pending;
+  private boolean closed;
+
+  private Journal(Path folder, int snapshotThreshold, JournalHandler recovered, ReliableLog log) {
+    this.folder = folder;
+    this.snapshotThreshold = snapshotThreshold;
+    this.registrations = recovered.registrations();
+    this.log = log;
+  }
+
+  /**
+   * Reads the journal of a folder, or begins one there.
+   *
+   * @param snapshotThreshold changes after which a new snapshot is written
+   * @throws IOException if it is damaged or the folder cannot be written
+   */
+  static Journal open(Path folder, int snapshotThreshold) throws IOException {
+    try {
+      Files.createDirectories(folder);
+      JournalHandler handler = new JournalHandler();
+      ReliableLog log = new ReliableLog(folder.toString(), handler);
+      log.recover();
+      if (handler.droppedTornRecord()) {
+        LOG.warn(
+            "The last record of the journal in {} was torn; it was never acknowledged and is"
+                + " dropped.",
+            folder);
+      }
+      log.snapshot();
+      return new Journal(folder, snapshotThreshold, handler, log);
+    } catch (IOException e) {
+      throw new IOException(
+          "The journal in "
+              + folder
+              + " cannot be used ("
+              + innermost(e)
+              + "); nothing was changed. Free space or mend the folder's rights, restore it from a"
+              + " backup, or move it away to begin with no registrations.",
+          e);
+    }
+  }
+
+  /**
+   * Makes a change: on disk first, then in memory.
+   *
+   * @throws ActivationException if it could not be written; then it has not happened
+   */
+  synchronized void commit(Change change) throws ActivationException {
+    try {
+      ReliableLog open = openedLog();
+      log = null; // not to be used again if the next line fails half-way
+      open.update(change);
+      log = open;
+    } catch (IOException e) {
+      throw new ActivationException(
+          "phoenix could not record the change in "
+              + folder
+              + " ("
+              + innermost(e)
+              + "), so it has not happened; free space there and try again",
+          e);
+    }
+    registrations.apply(change);
+    if (++pending >= snapshotThreshold) {
+      snapshot();
+    }
+  }
+
+  /** Asks something of the registrations. */
+  synchronized <T extends @Nullable Object> T read(Function<Registrations, T> question) {
+    return question.apply(registrations);
+  }
+
+  private ReliableLog openedLog() throws IOException {
+    if (closed) {
+      throw new IOException("the journal is closed");
+    }
+    if (log != null) {
+      return log;
+    }
+    ReliableLog anew = new ReliableLog(folder.toString(), new JournalHandler(registrations));
+    anew.snapshot();
+    pending = 0;
+    LOG.info("The journal in {} can be written again.", folder);
+    return anew;
+  }
+
+  private void snapshot() {
+    ReliableLog open = log;
+    if (open == null) {
+      return;
+    }
+    try {
+      log = null;
+      open.snapshot();
+      log = open;
+      pending = 0;
+    } catch (IOException e) {
+      LOG.error(
+          "No snapshot can be written to {} ({}). What is registered stays safe in the journal as"
+              + " it is; no further change is taken until there is space.",
+          folder,
+          innermost(e));
+    }
+  }
+
+  @Override
+  public synchronized void close() throws IOException {
+    closed = true;
+    if (log != null) {
+      log.close();
+      log = null;
+    }
+  }
+
+  private static String innermost(Throwable e) {
+    Throwable at = e;
+    while (at.getCause() != null && at.getCause() != at) {
+      at = at.getCause();
+    }
+    return at.getMessage() == null ? at.getClass().getSimpleName() : at.getMessage();
+  }
+}

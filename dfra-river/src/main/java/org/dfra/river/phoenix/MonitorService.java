@@ -1,0 +1,49 @@
+package org.dfra.river.phoenix;
+
+import java.rmi.MarshalledObject;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationMonitor;
+import java.rmi.activation.UnknownGroupException;
+import java.rmi.activation.UnknownObjectException;
+
+/** What groups report of themselves. Only callers on this machine are heard. */
+final class MonitorService implements ActivationMonitor {
+
+  private final Daemon daemon;
+  private final LocalAccess access;
+
+  MonitorService(Daemon daemon, LocalAccess access) {
+    this.daemon = daemon;
+    this.access = access;
+  }
+
+  @Override
+  public void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException {
+    access.check("inactiveObject");
+    ActivatorService.object(daemon, id).inactive();
+  }
+
+  @Override
+  public void activeObject(ActivationID id, MarshalledObject<? extends Remote> proxy)
+      throws UnknownObjectException, RemoteException {
+    access.check("activeObject");
+    ActivatorService.object(daemon, id).active(proxy);
+  }
+
+  @Override
+  public void inactiveGroup(ActivationGroupID id, long incarnation)
+      throws UnknownGroupException, RemoteException {
+    access.check("inactiveGroup");
+    try {
+      daemon.group(id).leaves(incarnation);
+    } catch (UnknownGroupException e) {
+      throw e;
+    } catch (ActivationException e) {
+      throw new RemoteException("the group's leaving was noted but could not be recorded", e);
+    }
+  }
+}

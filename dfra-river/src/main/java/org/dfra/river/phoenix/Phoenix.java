@@ -1,0 +1,217 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.rmi.Remote;
+import java.rmi.activation.ActivationMonitor;
+import java.rmi.activation.ActivationSystem;
+import java.rmi.activation.Activator;
+import java.rmi.registry.LocateRegistry;
+import java.rmi.registry.Registry;
+import java.rmi.server.ExportException;
+import java.security.PrivilegedActionException;
+import java.security.PrivilegedExceptionAction;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import javax.security.auth.Subject;
+import javax.security.auth.login.LoginException;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.config.ConfigurationProvider;
+import net.jini.export.Exporter;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.slf4j.bridge.SLF4JBridgeHandler;
+
+/**
+ * The activation daemon's process: one per host. {@link #main} starts it; it ends by {@link
+ * ActivationSystem#shutdown} or a signal, and ends the groups with it. Killed, it leaves them
+ * running, and the next one takes them back.
+ */
+public final class Phoenix implements AutoCloseable {
+
+  /** System property of a group that its name in phoenix's files and messages is made of. */
+  public static final String GROUP_NAME = "org.dfra.group";
+
+  private static final Logger LOG = LoggerFactory.getLogger(Phoenix.class);
+
+  private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
+
+  private final PhoenixConfiguration configuration;
+  private final Daemon daemon;
+  private final LocalAccess access = new LocalAccess();
+  // Strong references: JERI keeps exported objects only weakly.
+  private final ActivatorService activatorService;
+  private final SystemService systemService;
+  private final MonitorService monitorService;
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private @Nullable Registry registry;
+  private boolean closing; // guarded by this
+
+  private Phoenix(PhoenixConfiguration configuration, InstantSource clock) throws IOException {
+    this.configuration = configuration;
+    this.daemon =
+        new Daemon(
+            configuration,
+            clock,
+            Journal.open(
+                configuration.persistenceDirectory(), configuration.persistenceSnapshotThreshold()));
+    this.activatorService = new ActivatorService(daemon);
+    this.systemService = new SystemService(daemon, access, this::closeSoon);
+    this.monitorService = new MonitorService(daemon, access);
+  }
+
+  /**
+   * Starts phoenix and serves until it is shut down.
+   *
+   * @param args the Jini configuration: a file and overrides, as for any River service
+   */
+  public static void main(String[] args) throws InterruptedException {
+    SLF4JBridgeHandler.removeHandlersForRootLogger();
+    SLF4JBridgeHandler.install();
+    try {
+      Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
+      Runtime.getRuntime().addShutdownHook(new Thread(phoenix::close, "phoenix-end"));
+      phoenix.closed.await();
+      Runtime.getRuntime().exit(0);
+    } catch (ConfigurationException | IOException | LoginException e) {
+      LOG.error("Phoenix cannot start: {}", e.getMessage());
+      LOG.debug("Phoenix cannot start.", e);
+      Runtime.getRuntime().exit(1);
+    }
+  }
+
+  /**
+   * Starts phoenix in this virtual machine.
+   *
+   * @throws IOException if its journal cannot be used or a port is taken
+   */
+  public static Phoenix start(Configuration c)
+      throws ConfigurationException, IOException, LoginException {
+    PhoenixConfiguration configuration = PhoenixConfiguration.read(c);
+    if (configuration.loginContext() == null) {
+      return open(configuration);
+    }
+    configuration.loginContext().login();
+    try {
+      return asSubject(configuration.loginContext().getSubject(), () -> open(configuration));
+    } catch (PrivilegedActionException e) {
+      throw e.getException() instanceof IOException cause ? cause : new IOException(e);
+    }
+  }
+
+  @SuppressWarnings("removal") // its successor came with 18; the daemon runs on 17 too
+  private static <T> T asSubject(Subject subject, PrivilegedExceptionAction<T> action)
+      throws PrivilegedActionException {
+    return Subject.doAs(subject, action);
+  }
+
+  private static Phoenix open(PhoenixConfiguration configuration) throws IOException {
+    Phoenix phoenix = new Phoenix(configuration, InstantSource.system());
+    phoenix.serve();
+    return phoenix;
+  }
+
+  private void serve() throws IOException {
+    daemon.recover();
+    ActivationMonitor monitor =
+        (ActivationMonitor) export(configuration.monitorExporter(), monitorService);
+    ActivationSystem system =
+        (ActivationSystem) export(configuration.systemExporter(), systemService);
+    systemService.exported(system, monitor);
+    Activator activator = (Activator) export(configuration.activatorExporter(), activatorService);
+    if (configuration.registryPort() >= 0) {
+      registry = readOnlyRegistry(configuration.registryPort(), system);
+    }
+    daemon.open(activator);
+    LOG.info("Phoenix is ready: {} groups.", daemon.status().size());
+  }
+
+  private static Remote export(Exporter exporter, Remote service) throws ExportException {
+    try {
+      return exporter.export(service);
+    } catch (ExportException e) {
+      throw new ExportException(
+          "Phoenix's port cannot be opened ("
+              + e.getMessage()
+              + "); another phoenix may be running on this host: stop it, or give this one another"
+              + " port in its configuration",
+          e);
+    }
+  }
+
+  /**
+   * The RMI registry where programs that know only {@code java.rmi.activation} find the system.
+   *
+   * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind does not
+   * pass. Binding here, in the registry's own virtual machine, meets no filter.
+   */
+  private static Registry readOnlyRegistry(int port, ActivationSystem system) throws IOException {
+    System.setProperty("sun.rmi.registry.registryFilter", "!*");
+    Registry registry = LocateRegistry.createRegistry(port);
+    registry.rebind(SYSTEM_NAME, system);
+    return registry;
+  }
+
+  private void closeSoon() {
+    try {
+      daemon.requireRunning();
+    } catch (java.rmi.activation.ActivationException e) {
+      return; // asked twice
+    }
+    // On a thread of its own, so that the caller's answer still leaves.
+    Thread end = new Thread(this::close, "phoenix-shutdown");
+    end.start();
+  }
+
+  /** Refuses new work, ends every group's process, closes the journal. Idempotent. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      if (closing) {
+        awaitClosed();
+        return;
+      }
+      closing = true;
+    }
+    LOG.info("Phoenix ends, and its groups with it.");
+    unexport(configuration.activatorExporter());
+    daemon.stop(configuration.unexportTimeout());
+    unexport(configuration.systemExporter());
+    unexport(configuration.monitorExporter());
+    if (registry != null) {
+      try {
+        java.rmi.server.UnicastRemoteObject.unexportObject(registry, true);
+      } catch (java.rmi.NoSuchObjectException e) {
+        LOG.debug("The registry had ended before.", e);
+      }
+    }
+    closed.countDown();
+  }
+
+  private void awaitClosed() {
+    try {
+      closed.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Politely as long as calls are under way and patience lasts, then by force. */
+  private void unexport(Exporter exporter) {
+    Duration patience = Duration.ofSeconds(1);
+    long end = System.nanoTime() + patience.toNanos();
+    try {
+      while (!exporter.unexport(false) && System.nanoTime() - end < 0) {
+        LockSupport.parkNanos(
+            this, TimeUnit.MILLISECONDS.toNanos(configuration.unexportWait().toMillis()));
+      }
+      exporter.unexport(true);
+    } catch (IllegalStateException e) {
+      LOG.debug("Never exported.", e);
+    }
+  }
+}

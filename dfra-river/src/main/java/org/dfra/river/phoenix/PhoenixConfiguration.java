@@ -1,0 +1,172 @@
+package org.dfra.river.phoenix;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.UUID;
+import javax.security.auth.login.LoginContext;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.export.Exporter;
+import net.jini.id.Uuid;
+import net.jini.id.UuidFactory;
+import net.jini.jeri.BasicJeriExporter;
+import net.jini.jeri.tcp.TcpServerEndpoint;
+import net.jini.security.BasicProxyPreparer;
+import net.jini.security.ProxyPreparer;
+import org.dfra.river.call.DeadlineILFactory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Phoenix's Jini configuration: the entries of component {@value #COMPONENT}.
+ *
+ * <p>Names are those of the original phoenix where it has them. {@code docs/reference/phoenix.md}
+ * lists every entry.
+ */
+record PhoenixConfiguration(
+    Path persistenceDirectory,
+    Path outputDirectory,
+    int persistenceSnapshotThreshold,
+    @Nullable LoginContext loginContext,
+    Exporter activatorExporter,
+    Exporter systemExporter,
+    Exporter monitorExporter,
+    ProxyPreparer instantiatorPreparer,
+    String @Nullable [] groupConfig,
+    @Nullable String groupLocation,
+    List<String> groupOptions,
+    Duration groupTimeout,
+    int groupThrottle,
+    Duration unexportTimeout,
+    Duration unexportWait,
+    int registryPort,
+    RestartPolicy restartPolicy,
+    ExecPolicy execPolicy) {
+
+  /** Component of every entry. */
+  static final String COMPONENT = "org.dfra.river.phoenix";
+
+  /** TCP port of the activation system where nothing else is configured. */
+  static final int DEFAULT_PORT = 1198;
+
+  /** The activator keeps its identity across restarts, so that old proxies find it again. */
+  static final Uuid ACTIVATOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a11");
+
+  /** So does the activation system. */
+  static final Uuid SYSTEM = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12");
+
+  /** And the monitor. */
+  static final Uuid MONITOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a13");
+
+  /** Activation includes the start of a virtual machine, so it may take longer than other calls. */
+  private static final long ACTIVATION_DEADLINE_MILLIS = 30_000;
+
+  private static final long REGISTRATION_DEADLINE_MILLIS = 10_000;
+
+  /** Reads the entries, with defaults for all but the persistence directory. */
+  static PhoenixConfiguration read(Configuration c) throws ConfigurationException {
+    Path journal = Path.of(entry(c, "persistenceDirectory", String.class));
+    RestartPolicy restart = RestartPolicy.DEFAULT;
+    ExecPolicy exec = ExecPolicy.DEFAULT;
+    return new PhoenixConfiguration(
+        journal,
+        Path.of(entry(c, "outputDirectory", String.class, journal.resolve("output").toString())),
+        number(c, "persistenceSnapshotThreshold", 200, 1),
+        optional(c, "loginContext", LoginContext.class),
+        entry(
+            c,
+            "activatorExporter",
+            Exporter.class,
+            exporter(ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
+        entry(
+            c, "systemExporter", Exporter.class, exporter(SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
+        entry(
+            c, "monitorExporter", Exporter.class, exporter(MONITOR, REGISTRATION_DEADLINE_MILLIS)),
+        entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
+        optional(c, "groupConfig", String[].class),
+        optional(c, "groupLocation", String.class),
+        List.of(entry(c, "groupOptions", String[].class, new String[0])),
+        millis(c, "groupTimeout", Duration.ofSeconds(60)),
+        number(c, "groupThrottle", 3, 1),
+        millis(c, "unexportTimeout", Duration.ofSeconds(60)),
+        millis(c, "unexportWait", Duration.ofMillis(10)),
+        number(c, "registryPort", Integer.getInteger("java.rmi.activation.port", 1098), -1),
+        new RestartPolicy(
+            millis(c, "restartDelay", restart.firstDelay()),
+            millis(c, "restartLongestDelay", restart.longestDelay()),
+            number(c, "restartLimit", restart.limit(), 2),
+            millis(c, "restartWindow", restart.window()),
+            millis(c, "restartHoldOff", restart.holdOff())),
+        new ExecPolicy(
+            entry(c, "customGroups", boolean.class, exec.customGroups()),
+            texts(c, "permittedCommands", exec.commands()),
+            texts(c, "permittedOptions", exec.options()),
+            texts(c, "permittedProperties", exec.properties())));
+  }
+
+  /** An exporter on the standard port. */
+  static Exporter exporter(Uuid identity, long deadlineMillis) {
+    return new BasicJeriExporter(
+        TcpServerEndpoint.getInstance(Integer.getInteger(PORT_PROPERTY, DEFAULT_PORT)),
+        new DeadlineILFactory(deadlineMillis),
+        false,
+        true,
+        identity);
+  }
+
+  /** System property with the port, where no exporter is configured. */
+  static final String PORT_PROPERTY = "org.dfra.phoenix.port";
+
+  private static Uuid uuid(String text) {
+    UUID uuid = UUID.fromString(text);
+    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
+  }
+
+  private static <T> T entry(Configuration c, String name, Class<T> type)
+      throws ConfigurationException {
+    return cast(c.getEntry(COMPONENT, name, type));
+  }
+
+  private static <T> T entry(Configuration c, String name, Class<T> type, T fallback)
+      throws ConfigurationException {
+    Object value = c.getEntry(COMPONENT, name, type, fallback);
+    if (value == null) {
+      throw new ConfigurationException(COMPONENT + "." + name + " is null");
+    }
+    return cast(value);
+  }
+
+  @SuppressWarnings("NullAway") // getEntry takes a null default
+  private static <T> @Nullable T optional(Configuration c, String name, Class<T> type)
+      throws ConfigurationException {
+    return type.cast(c.getEntry(COMPONENT, name, type, null));
+  }
+
+  private static List<String> texts(Configuration c, String name, List<String> fallback)
+      throws ConfigurationException {
+    return List.of(entry(c, name, String[].class, fallback.toArray(String[]::new)));
+  }
+
+  private static Duration millis(Configuration c, String name, Duration fallback)
+      throws ConfigurationException {
+    long millis = entry(c, name, long.class, fallback.toMillis());
+    if (millis < 1) {
+      throw new ConfigurationException(COMPONENT + "." + name + " = " + millis + " ms < 1 ms");
+    }
+    return Duration.ofMillis(millis);
+  }
+
+  private static int number(Configuration c, String name, int fallback, int min)
+      throws ConfigurationException {
+    int value = entry(c, name, int.class, fallback);
+    if (value < min) {
+      throw new ConfigurationException(COMPONENT + "." + name + " = " + value + " < " + min);
+    }
+    return value;
+  }
+
+  @SuppressWarnings("unchecked") // the configuration has checked it; T may be a primitive's class
+  private static <T> T cast(Object value) {
+    return (T) value;
+  }
+}

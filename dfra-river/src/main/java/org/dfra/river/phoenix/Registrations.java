@@ -1,0 +1,100 @@
+package org.dfra.river.phoenix;
+
+import java.io.Serializable;
+import java.rmi.MarshalledObject;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationInstantiator;
+import java.rmi.server.UID;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Everything the daemon must not forget. Changed only by {@link Change}s, which the journal writes
+ * first. Confined to the journal's lock.
+ */
+final class Registrations implements Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  /** Tells this daemon's group processes from those of any other on the machine. */
+  final UUID daemon = UUID.randomUUID();
+
+  /** The number in the next group's name. */
+  int nextNumber = 1;
+
+  final LinkedHashMap<ActivationGroupID, GroupRecord> groups = new LinkedHashMap<>();
+  final LinkedHashMap<UID, ActivationDesc> objects = new LinkedHashMap<>();
+
+  /** A registered group. */
+  static final class GroupRecord implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final String name;
+    ActivationGroupDesc desc;
+    long incarnation;
+    @Nullable ProcessIdentity process;
+    @Nullable MarshalledObject<ActivationInstantiator> instantiator;
+    boolean leaving;
+
+    GroupRecord(String name, ActivationGroupDesc desc) {
+      this.name = name;
+      this.desc = desc;
+    }
+  }
+
+  /** Carries out a change. */
+  void apply(Change change) {
+    if (change instanceof Change.GroupRegistered c) {
+      groups.put(c.group(), new GroupRecord(c.name(), c.desc()));
+      nextNumber++;
+    } else if (change instanceof Change.GroupDescribed c) {
+      group(c.group()).desc = c.desc();
+    } else if (change instanceof Change.GroupUnregistered c) {
+      groups.remove(c.group());
+      objects.values().removeIf(desc -> desc.getGroupID().equals(c.group()));
+    } else if (change instanceof Change.Launching c) {
+      GroupRecord group = group(c.group());
+      group.incarnation = c.incarnation();
+      group.process = null;
+      group.instantiator = null;
+      group.leaving = false;
+    } else if (change instanceof Change.Launched c) {
+      group(c.group()).process = c.process();
+    } else if (change instanceof Change.Reported c) {
+      group(c.group()).instantiator = c.instantiator();
+    } else if (change instanceof Change.Left c) {
+      group(c.group()).leaving = true;
+    } else if (change instanceof Change.ObjectRegistered c) {
+      objects.put(c.object(), c.desc());
+    } else if (change instanceof Change.ObjectDescribed c) {
+      objects.put(c.object(), c.desc());
+    } else if (change instanceof Change.ObjectUnregistered c) {
+      objects.remove(c.object());
+    }
+  }
+
+  /** The record of a group; a change of an unknown group means a damaged journal. */
+  GroupRecord group(ActivationGroupID id) {
+    @Nullable GroupRecord group = groups.get(id);
+    if (group == null) {
+      throw new IllegalStateException("a change of a group that is not registered");
+    }
+    return group;
+  }
+
+  /** The objects of a group. */
+  Map<UID, ActivationDesc> objectsOf(ActivationGroupID group) {
+    Map<UID, ActivationDesc> found = new LinkedHashMap<>();
+    objects.forEach(
+        (uid, desc) -> {
+          if (desc.getGroupID().equals(group)) {
+            found.put(uid, desc);
+          }
+        });
+    return found;
+  }
+}

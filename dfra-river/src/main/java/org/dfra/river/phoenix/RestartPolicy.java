@@ -1,0 +1,49 @@
+package org.dfra.river.phoenix;
+
+import java.time.Duration;
+
+/**
+ * When a crashed group is started again.
+ *
+ * <p>The first crash costs no delay. Each further one within the window doubles the delay, from
+ * {@code firstDelay} up to {@code longestDelay}. At {@code limit} crashes within the window the
+ * group is held off: for {@code holdOff} nobody can start it, and after that only a call does.
+ *
+ * @param firstDelay delay after the second crash within the window
+ * @param longestDelay bound of the doubling
+ * @param limit crashes within the window that make a crash loop, at least 2
+ * @param window how long a crash counts
+ * @param holdOff how long a crash-looping group is left alone
+ */
+record RestartPolicy(
+    Duration firstDelay, Duration longestDelay, int limit, Duration window, Duration holdOff) {
+
+  /** 0.1 s doubling to 10 s; five crashes within a minute hold a group off for half a minute. */
+  static final RestartPolicy DEFAULT =
+      new RestartPolicy(
+          Duration.ofMillis(100),
+          Duration.ofSeconds(10),
+          5,
+          Duration.ofMinutes(1),
+          Duration.ofSeconds(30));
+
+  RestartPolicy {
+    if (limit < 2) {
+      throw new IllegalArgumentException("restartLimit " + limit + " < 2; one crash is no loop");
+    }
+    if (firstDelay.compareTo(longestDelay) > 0) {
+      throw new IllegalArgumentException(
+          "restartDelay " + firstDelay + " > restartLongestDelay " + longestDelay);
+    }
+  }
+
+  /** The delay before the start that follows the {@code crashes}-th crash within the window. */
+  Duration delay(int crashes) {
+    if (crashes <= 1) {
+      return Duration.ZERO;
+    }
+    long factor = 1L << Math.min(crashes - 2, 30);
+    Duration delay = firstDelay.multipliedBy(factor);
+    return delay.compareTo(longestDelay) < 0 ? delay : longestDelay;
+  }
+}

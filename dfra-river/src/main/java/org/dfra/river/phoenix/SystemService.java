@@ -1,0 +1,125 @@
+package org.dfra.river.phoenix;
+
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.ActivationMonitor;
+import java.rmi.activation.ActivationSystem;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/** Registration and administration, for callers on this machine. */
+final class SystemService implements ActivationSystem, PhoenixAdmin {
+
+  private final Daemon daemon;
+  private final LocalAccess access;
+  private final Runnable shutdown;
+  private volatile @Nullable ActivationSystem self;
+  private volatile @Nullable ActivationMonitor monitor;
+
+  SystemService(Daemon daemon, LocalAccess access, Runnable shutdown) {
+    this.daemon = daemon;
+    this.access = access;
+    this.shutdown = shutdown;
+  }
+
+  /** Tells the service its own proxy and the monitor's, when both are exported. */
+  void exported(ActivationSystem itself, ActivationMonitor monitorProxy) {
+    self = itself;
+    monitor = monitorProxy;
+  }
+
+  @Override
+  public ActivationGroupID registerGroup(ActivationGroupDesc desc)
+      throws ActivationException, RemoteException {
+    access.check("registerGroup");
+    return daemon.registerGroup(new ActivationGroupID(Objects.requireNonNull(self)), desc);
+  }
+
+  @Override
+  public ActivationID registerObject(ActivationDesc desc)
+      throws ActivationException, RemoteException {
+    access.check("registerObject");
+    return daemon.activationID(daemon.registerObject(desc));
+  }
+
+  @Override
+  public void unregisterObject(ActivationID id) throws ActivationException, RemoteException {
+    access.check("unregisterObject");
+    daemon.unregisterObject(ActivatorService.object(daemon, id).uid);
+  }
+
+  @Override
+  public void unregisterGroup(ActivationGroupID id) throws ActivationException, RemoteException {
+    access.check("unregisterGroup");
+    daemon.unregisterGroup(id);
+  }
+
+  @Override
+  public ActivationMonitor activeGroup(
+      ActivationGroupID id, ActivationInstantiator group, long incarnation)
+      throws ActivationException, RemoteException {
+    access.check("activeGroup");
+    daemon.group(id).reported(daemon.prepared(group), incarnation);
+    return Objects.requireNonNull(monitor);
+  }
+
+  @Override
+  public ActivationDesc setActivationDesc(ActivationID id, ActivationDesc desc)
+      throws ActivationException, RemoteException {
+    access.check("setActivationDesc");
+    return daemon.describeObject(ActivatorService.object(daemon, id).uid, desc);
+  }
+
+  @Override
+  public ActivationGroupDesc setActivationGroupDesc(ActivationGroupID id, ActivationGroupDesc desc)
+      throws ActivationException, RemoteException {
+    access.check("setActivationGroupDesc");
+    return daemon.describeGroup(id, desc);
+  }
+
+  @Override
+  public ActivationDesc getActivationDesc(ActivationID id)
+      throws ActivationException, RemoteException {
+    access.check("getActivationDesc");
+    return ActivatorService.object(daemon, id).desc();
+  }
+
+  @Override
+  public ActivationGroupDesc getActivationGroupDesc(ActivationGroupID id)
+      throws ActivationException, RemoteException {
+    access.check("getActivationGroupDesc");
+    return daemon.groupDesc(id);
+  }
+
+  @Override
+  public void shutdown() throws RemoteException {
+    access.check("shutdown");
+    shutdown.run();
+  }
+
+  @Override
+  public Map<ActivationGroupID, ActivationGroupDesc> getActivationGroups() throws RemoteException {
+    access.check("getActivationGroups");
+    return daemon.groupDescs();
+  }
+
+  @Override
+  public Map<ActivationID, ActivationDesc> getActivatableObjects(ActivationGroupID id)
+      throws java.rmi.activation.UnknownGroupException, RemoteException {
+    access.check("getActivatableObjects");
+    return daemon.objectDescs(id);
+  }
+
+  @Override
+  public List<GroupStatus> groupStatus() throws RemoteException {
+    access.check("groupStatus");
+    return daemon.status();
+  }
+}
