@@ -1,0 +1,298 @@
+package java.rmi.activation;
+
+import java.lang.reflect.InvocationTargetException;
+import java.net.InetAddress;
+import java.net.MalformedURLException;
+import java.rmi.MarshalledObject;
+import java.rmi.NoSuchObjectException;
+import java.rmi.NotBoundException;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.registry.LocateRegistry;
+import java.rmi.server.RMIClassLoader;
+import java.rmi.server.UnicastRemoteObject;
+
+/**
+ * Constructs activatable objects in its JVM and tells the daemon what is active; one per JVM.
+ *
+ * <p>The daemon starts a JVM whose first act is {@link #createGroup}. A concrete subclass does the
+ * constructing in {@link #newInstance}; there is none in this package, so a group descriptor must
+ * name one. The constructor exports the group by JRMP; a subclass that wants another protocol
+ * unexports itself first and has a {@code writeReplace} that returns its own proxy, since the group
+ * hands itself to {@link ActivationSystem#activeGroup}.
+ */
+public abstract class ActivationGroup extends UnicastRemoteObject
+    implements ActivationInstantiator {
+
+  private static final long serialVersionUID = -7696947875314805420L;
+
+  private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
+  private static final String PORT_PROPERTY = "java.rmi.activation.port";
+
+  // All three are guarded by the class's lock.
+  private static ActivationGroup currentGroup;
+  private static ActivationGroupID currentID;
+  private static ActivationSystem currentSystem;
+
+  /**
+   * @serial which group this is
+   */
+  private final ActivationGroupID groupID;
+
+  /**
+   * @serial whom it tells of its objects; null until the system knows the group
+   */
+  private ActivationMonitor monitor;
+
+  /**
+   * @serial the number given to this JVM when it was started
+   */
+  private long incarnation;
+
+  /**
+   * Exports the group by JRMP on an anonymous TCP port of the loopback interface: only the daemon
+   * of the same host can reach it.
+   *
+   * @param groupID which group this is
+   * @throws RemoteException if it cannot be exported
+   */
+  protected ActivationGroup(ActivationGroupID groupID) throws RemoteException {
+    this(groupID, new LoopbackSocketFactory());
+  }
+
+  private ActivationGroup(ActivationGroupID groupID, LoopbackSocketFactory loopback)
+      throws RemoteException {
+    super(0, loopback, loopback);
+    this.groupID = groupID;
+  }
+
+  /**
+   * An object goes to sleep. This implementation only tells the daemon; a subclass unexports the
+   * object first, and returns false without telling if a call is in progress.
+   *
+   * @param id whose object
+   * @return true if the object is inactive now, false if it is busy
+   * @throws ActivationException if the group is not active
+   * @throws UnknownObjectException if the object is not registered
+   * @throws RemoteException if the daemon cannot be told
+   */
+  public boolean inactiveObject(ActivationID id)
+      throws ActivationException, UnknownObjectException, RemoteException {
+    activeMonitor().inactiveObject(id);
+    return true;
+  }
+
+  /**
+   * An object became active by itself rather than through {@link #newInstance}.
+   *
+   * @param id whose object
+   * @param obj the exported object
+   * @throws ActivationException if the group is not active
+   * @throws UnknownObjectException if the object is not registered
+   * @throws RemoteException if the daemon cannot be told
+   */
+  public abstract void activeObject(ActivationID id, Remote obj)
+      throws ActivationException, UnknownObjectException, RemoteException;
+
+  /**
+   * Creates this JVM's group and reports it active.
+   *
+   * <p>The class named in the descriptor is loaded with {@link RMIClassLoader#loadClass(String,
+   * String)}, must be a concrete subclass of this one, and have a public constructor {@code
+   * (ActivationGroupID, MarshalledObject)}. The system becomes the one in the identity.
+   *
+   * @param id what the group was registered as
+   * @param desc how; a class name must be given
+   * @param incarnation the number given to this JVM when it was started
+   * @return the group, an instance of the class named
+   * @throws ActivationException if there is a group already, its class is no such class, or the
+   *     system refuses it; then a group already constructed is no longer exported by JRMP
+   */
+  public static synchronized ActivationGroup createGroup(
+      ActivationGroupID id, ActivationGroupDesc desc, long incarnation) throws ActivationException {
+    if (currentGroup != null) {
+      throw new ActivationException(
+          "This JVM has an activation group already, a "
+              + currentGroup.getClass().getName()
+              + ": start another JVM for another group.");
+    }
+    ActivationGroup group = construct(id, desc);
+    ActivationSystem system = id.getSystem();
+    try {
+      group.incarnation = incarnation;
+      group.monitor = system.activeGroup(id, group, incarnation);
+    } catch (RemoteException e) {
+      throw new ActivationException("The activation system cannot be told of the group", e);
+    } finally {
+      if (group.monitor == null) {
+        unexport(group);
+      }
+    }
+    if (group.monitor == null) {
+      throw new ActivationException("The activation system gave the group no monitor: " + system);
+    }
+    currentGroup = group;
+    currentID = id;
+    currentSystem = system;
+    return group;
+  }
+
+  private static ActivationGroup construct(ActivationGroupID id, ActivationGroupDesc desc)
+      throws ActivationException {
+    String name = desc.getClassName();
+    if (name == null) {
+      throw new ActivationException(
+          "The group descriptor names no class, and java.rmi.activation has no group of its own:"
+              + " give ActivationGroupDesc the name of a concrete subclass of ActivationGroup.");
+    }
+    try {
+      return RMIClassLoader.loadClass(desc.getLocation(), name)
+          .asSubclass(ActivationGroup.class)
+          .getConstructor(ActivationGroupID.class, MarshalledObject.class)
+          .newInstance(id, desc.getData());
+    } catch (ClassNotFoundException | MalformedURLException e) {
+      throw new ActivationException(
+          "The group class " + name + " cannot be loaded from " + desc.getLocation(), e);
+    } catch (ClassCastException e) {
+      throw new ActivationException(
+          "The group class " + name + " is not a subclass of " + ActivationGroup.class.getName(),
+          e);
+    } catch (NoSuchMethodException | IllegalAccessException e) {
+      throw new ActivationException(
+          "The group class "
+              + name
+              + " must be public and have a public constructor"
+              + " (ActivationGroupID, MarshalledObject)",
+          e);
+    } catch (InstantiationException e) {
+      throw new ActivationException("The group class " + name + " is abstract", e);
+    } catch (InvocationTargetException e) {
+      throw new ActivationException(
+          "The constructor of the group class " + name + " failed", e.getCause());
+    }
+  }
+
+  private static void unexport(ActivationGroup group) {
+    try {
+      unexportObject(group, true);
+    } catch (NoSuchObjectException e) {
+      // Its own class had unexported it, to export it otherwise.
+    }
+  }
+
+  /**
+   * This JVM's group.
+   *
+   * @return its identity, or null if the JVM has no active group
+   */
+  public static synchronized ActivationGroupID currentGroupID() {
+    return currentID;
+  }
+
+  /** This JVM's group itself; refused while there is none. */
+  static synchronized ActivationGroup currentGroup() throws ActivationException {
+    if (currentGroup == null) {
+      throw new ActivationException(
+          "This JVM has no active activation group: call ActivationGroup.createGroup first.");
+    }
+    return currentGroup;
+  }
+
+  /**
+   * Sets this JVM's activation system, so that none is looked up.
+   *
+   * @param system the system
+   * @throws ActivationException if a system is set already, by this method, by {@link #createGroup}
+   *     or by a lookup
+   */
+  public static synchronized void setSystem(ActivationSystem system) throws ActivationException {
+    if (currentSystem != null) {
+      throw new ActivationException(
+          "This JVM has an activation system already: set it before the first use of activation.");
+    }
+    currentSystem = system;
+  }
+
+  /**
+   * This JVM's activation system: the one of its group, or set, or else bound as {@code
+   * java.rmi.activation.ActivationSystem} in this host's RMI registry, at the TCP port in the
+   * system property {@code java.rmi.activation.port}, by default {@link
+   * ActivationSystem#SYSTEM_PORT}. The registry is asked at the loopback address.
+   *
+   * @return the system, never null
+   * @throws ActivationException if none was set and none can be looked up
+   */
+  public static synchronized ActivationSystem getSystem() throws ActivationException {
+    if (currentSystem == null) {
+      currentSystem = lookUpSystem();
+    }
+    return currentSystem;
+  }
+
+  private static ActivationSystem lookUpSystem() throws ActivationException {
+    int configured = Integer.getInteger(PORT_PROPERTY, ActivationSystem.SYSTEM_PORT);
+    int port = configured > 0 ? configured : ActivationSystem.SYSTEM_PORT;
+    try {
+      String host = InetAddress.getLoopbackAddress().getHostAddress();
+      return (ActivationSystem) LocateRegistry.getRegistry(host, port).lookup(SYSTEM_NAME);
+    } catch (RemoteException | NotBoundException | ClassCastException e) {
+      throw new ActivationException(
+          "No activation system is bound as "
+              + SYSTEM_NAME
+              + " in the registry at port "
+              + port
+              + " of this host: start the activation daemon, or set the property "
+              + PORT_PROPERTY,
+          e);
+    }
+  }
+
+  /**
+   * Tells the daemon that an object became active; for subclasses' {@link #activeObject(
+   * ActivationID, Remote)}.
+   *
+   * @param id whose object
+   * @param mobj its proxy, marshalled
+   * @throws ActivationException if the group is not active
+   * @throws UnknownObjectException if the object is not registered
+   * @throws RemoteException if the daemon cannot be told
+   */
+  protected void activeObject(ActivationID id, MarshalledObject<? extends Remote> mobj)
+      throws ActivationException, UnknownObjectException, RemoteException {
+    activeMonitor().activeObject(id, mobj);
+  }
+
+  /**
+   * Tells the daemon that the group has nothing left to run. Whether or not the daemon can be told,
+   * this JVM has no current group afterwards.
+   *
+   * @throws UnknownGroupException if the group is not active, or the daemon does not know it
+   * @throws RemoteException if the daemon cannot be told
+   */
+  protected void inactiveGroup() throws UnknownGroupException, RemoteException {
+    ActivationMonitor told;
+    synchronized (ActivationGroup.class) {
+      told = monitor;
+      monitor = null;
+      if (currentGroup == this) {
+        currentGroup = null;
+        currentID = null;
+      }
+    }
+    if (told == null) {
+      throw new UnknownGroupException("This group is not active, so it cannot become inactive.");
+    }
+    told.inactiveGroup(groupID, incarnation);
+  }
+
+  private ActivationMonitor activeMonitor() throws ActivationException {
+    synchronized (ActivationGroup.class) {
+      if (monitor == null) {
+        throw new ActivationException(
+            "This group is not active: it has no monitor before createGroup has returned,"
+                + " nor after inactiveGroup.");
+      }
+      return monitor;
+    }
+  }
+}
