@@ -132,8 +132,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
     Thread thread = Thread.currentThread();
     ClassLoader context = thread.getContextClassLoader();
     try {
-      Class<?> type =
-          RMIClassLoader.loadClass(desc.getLocation(), desc.getClassName(), context);
+      Class<?> type = RMIClassLoader.loadClass(desc.getLocation(), desc.getClassName(), context);
       thread.setContextClassLoader(type.getClassLoader());
       Constructor<?> constructor =
           type.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
@@ -143,15 +142,11 @@ public final class ActivationGroupImpl extends ActivationGroup {
       }
       slot.proxy = new MarshalledObject<>(proxyOf(made));
       slot.object = made;
-      LOG.info(
-          "Made {} in {} ms.",
-          made,
-          TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began));
+      LOG.info("Made {} in {} ms.", made, TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began));
     } catch (InvocationTargetException e) {
       throw failure(desc, "its constructor failed", Objects.requireNonNull(e.getCause()));
     } catch (NoSuchMethodException e) {
-      throw failure(
-          desc, "it has no constructor (ActivationID, MarshalledObject)", e);
+      throw failure(desc, "it has no constructor (ActivationID, MarshalledObject)", e);
     } catch (ClassNotFoundException e) {
       throw failure(desc, "its class is not on the group's class path", e);
     } catch (ReflectiveOperationException | java.io.IOException | LinkageError e) {
@@ -188,18 +183,17 @@ public final class ActivationGroupImpl extends ActivationGroup {
    * <p>For objects exported by JRMP, which {@code java.rmi.activation} unexports itself.
    */
   @Override
-  public boolean inactiveObject(ActivationID object)
-      throws ActivationException, RemoteException {
-    return inactive(object, null);
+  public boolean inactiveObject(ActivationID object) throws ActivationException, RemoteException {
+    return deactivate(object, null);
   }
 
   @Override
   public boolean inactiveObject(ActivationID object, @Nullable Exporter itsExporter)
       throws ActivationException, RemoteException {
-    return inactive(object, Objects.requireNonNull(itsExporter, "exporter"));
+    return deactivate(object, Objects.requireNonNull(itsExporter, "exporter"));
   }
 
-  private boolean inactive(ActivationID object, @Nullable Exporter itsExporter)
+  private boolean deactivate(ActivationID object, @Nullable Exporter itsExporter)
       throws ActivationException, RemoteException {
     Slot slot = slots.get(object);
     if (slot == null) {

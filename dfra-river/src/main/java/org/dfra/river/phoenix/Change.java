@@ -28,8 +28,7 @@ sealed interface Change extends Serializable {
   record Launched(ActivationGroupID group, ProcessIdentity process) implements Change {}
 
   /** The process reported that it makes objects. Written before its report is answered. */
-  record Reported(
-      ActivationGroupID group, MarshalledObject<ActivationInstantiator> instantiator)
+  record Reported(ActivationGroupID group, MarshalledObject<ActivationInstantiator> instantiator)
       implements Change {}
 
   /** The group said that it makes no more objects. */

@@ -270,8 +270,7 @@ final class Daemon {
         .filter(Objects::nonNull)
         .map(
             group ->
-                group.status(
-                    (int) objects.values().stream().filter(o -> o.group == group).count()))
+                group.status((int) objects.values().stream().filter(o -> o.group == group).count()))
         .toList();
   }
 
@@ -320,8 +319,7 @@ final class Daemon {
     if (child != null) {
       child
           .onExit()
-          .thenAccept(
-              ended -> group.died(identity, "ended (exit code " + ended.exitValue() + ")"));
+          .thenAccept(ended -> group.died(identity, "ended (exit code " + ended.exitValue() + ")"));
     } else {
       work.execute(
           () -> {

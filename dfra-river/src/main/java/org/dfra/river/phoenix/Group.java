@@ -2,15 +2,12 @@ package org.dfra.river.phoenix;
 
 import java.io.IOException;
 import java.rmi.MarshalledObject;
-import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
-import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationInstantiator;
 import java.rmi.activation.UnknownGroupException;
 import java.time.Duration;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.river.phoenix.GroupStatus.State;

@@ -48,9 +48,7 @@ final class GroupProcess {
     Path said = configuration.outputDirectory().resolve(group + ".vm.log");
     if (Files.exists(said) && Files.size(said) > 0) {
       Files.move(
-          said,
-          said.resolveSibling(group + ".vm.log.1"),
-          StandardCopyOption.REPLACE_EXISTING);
+          said, said.resolveSibling(group + ".vm.log.1"), StandardCopyOption.REPLACE_EXISTING);
     }
     return new ProcessBuilder(command(daemon, group, desc, configuration))
         .redirectErrorStream(true)
@@ -64,7 +62,8 @@ final class GroupProcess {
     List<String> command = new ArrayList<>();
     ActivationGroupDesc.@Nullable CommandEnvironment environment = desc.getCommandEnvironment();
     String path = environment == null ? null : environment.getCommandPath();
-    command.add(path != null ? path : Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add(
+        path != null ? path : Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.add(mark(daemon) + group);
     if (environment != null) {
       command.addAll(List.of(environment.getCommandOptions()));
@@ -80,7 +79,8 @@ final class GroupProcess {
   }
 
   /** Tells a started process which group it is, and lets it go to work. */
-  static void feed(Process process, ActivationGroupID id, ActivationGroupDesc desc, long incarnation)
+  static void feed(
+      Process process, ActivationGroupID id, ActivationGroupDesc desc, long incarnation)
       throws IOException {
     try (ObjectOutputStream out = new ObjectOutputStream(process.getOutputStream())) {
       out.writeObject(id);

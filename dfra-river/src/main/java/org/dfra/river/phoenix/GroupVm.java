@@ -47,7 +47,7 @@ public final class GroupVm {
     } catch (EOFException e) {
       end(NOT_TOLD, "Phoenix went away before it said which group to run.");
     } catch (IOException e) {
-      end(OWNED, e.getMessage());
+      end(OWNED, String.valueOf(e.getMessage()));
     } catch (ActivationException e) {
       end(REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
     } catch (ClassNotFoundException e) {

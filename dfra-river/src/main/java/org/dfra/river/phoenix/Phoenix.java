@@ -58,7 +58,8 @@ public final class Phoenix implements AutoCloseable {
             configuration,
             clock,
             Journal.open(
-                configuration.persistenceDirectory(), configuration.persistenceSnapshotThreshold()));
+                configuration.persistenceDirectory(),
+                configuration.persistenceSnapshotThreshold()));
     this.activatorService = new ActivatorService(daemon);
     this.systemService = new SystemService(daemon, access, this::closeSoon);
     this.monitorService = new MonitorService(daemon, access);

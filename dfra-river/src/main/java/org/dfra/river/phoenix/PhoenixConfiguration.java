@@ -78,8 +78,7 @@ record PhoenixConfiguration(
             "activatorExporter",
             Exporter.class,
             exporter(ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
-        entry(
-            c, "systemExporter", Exporter.class, exporter(SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
+        entry(c, "systemExporter", Exporter.class, exporter(SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
         entry(
             c, "monitorExporter", Exporter.class, exporter(MONITOR, REGISTRATION_DEADLINE_MILLIS)),
         entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
