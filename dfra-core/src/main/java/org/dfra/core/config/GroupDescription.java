@@ -20,10 +20,10 @@ public record GroupDescription(
     Place place) {
 
   public GroupDescription {
-    jvmOptions = List.copyOf(jvmOptions);
+    jvmOptions = jvmOptions.stream().map(String::strip).toList();
     modules = List.copyOf(modules);
     Rules.require(place, Rules.name("group", name));
-    if (jvmOptions.stream().anyMatch(String::isBlank)) {
+    if (jvmOptions.stream().anyMatch(String::isEmpty)) {
       throw new ConfigurationException(
           place + ": group " + name + " has an empty JVM option; write one or leave it out");
     }

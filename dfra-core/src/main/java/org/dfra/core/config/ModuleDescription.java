@@ -33,9 +33,9 @@ public record ModuleDescription(
   public ModuleDescription {
     Rules.require(place, Rules.name("robot", robot));
     Rules.require(place, Rules.name("module", name));
-    Rules.require(place, Rules.className(name, "server", serverClass));
-    Rules.require(place, Rules.className(name, "proxy", proxyClass));
-    Rules.require(place, Rules.className(name, "driver", driverClass));
+    Rules.require(place, Rules.className("module " + name, "server", serverClass));
+    Rules.require(place, Rules.className("module " + name, "proxy", proxyClass));
+    Rules.require(place, Rules.className("module " + name, "driver", driverClass));
     if (configuration != null && configuration.isBlank()) {
       throw new ConfigurationException(
           place

@@ -12,6 +12,9 @@ import java.io.Serializable;
  */
 public record RegistrarDescription(int port, boolean restart, Place place) implements Serializable {
 
+  /** The port that unicast discovery uses where none is named. */
+  public static final int DISCOVERY_PORT = 4160;
+
   public RegistrarDescription {
     Rules.require(place, Rules.registrarPort(Integer.toString(port)));
   }

@@ -32,6 +32,7 @@ public record RobotDescription(
     Place whole = new Place(source.toString(), 0);
     Rules.require(whole, Rules.name("robot", name));
     Rules.require(whole, Rules.host(host));
+    lookupGroups.forEach(group -> Rules.require(whole, Rules.lookupGroup(group)));
     locators.forEach(locator -> Rules.require(whole, Rules.locator(locator)));
     lookupGroups = List.copyOf(lookupGroups);
     locators = locators.stream().map(text -> Rules.canonicalLocator(text).orElseThrow()).toList();
@@ -42,10 +43,18 @@ public record RobotDescription(
     }
     requireUnique("group", groups.stream(), GroupDescription::name, GroupDescription::place);
     requireUnique(
-        "module",
-        groups.stream().flatMap(group -> group.modules().stream()),
-        ModuleDescription::name,
-        ModuleDescription::place);
+        "module", modules(groups).stream(), ModuleDescription::name, ModuleDescription::place);
+    for (ModuleDescription module : modules(groups)) {
+      if (!module.robot().equals(name)) {
+        throw new ConfigurationException(
+            module.place()
+                + ": module "
+                + module.path()
+                + " is not of robot "
+                + name
+                + "; give it that robot");
+      }
+    }
     if (groups.stream().filter(group -> group.registrar().isPresent()).count() > 1) {
       throw new ConfigurationException(
           whole + ": robot " + name + " has more than one registrar; leave it in one group only");
@@ -59,6 +68,10 @@ public record RobotDescription(
 
   /** The modules of all groups, in the order written. */
   public List<ModuleDescription> modules() {
+    return modules(groups);
+  }
+
+  private static List<ModuleDescription> modules(List<GroupDescription> groups) {
     return groups.stream().flatMap(group -> group.modules().stream()).toList();
   }
 

@@ -48,13 +48,16 @@ final class Rules {
             : "small letters, digits and single underscores, a letter first");
   }
 
-  static @Nullable String className(String module, String key, String name) {
+  /**
+   * @param label what the class is of: {@code module} and its name
+   */
+  static @Nullable String className(String label, String key, String name) {
     return CLASS.matcher(name).matches()
         ? null
         : "the "
             + key
-            + " of module "
-            + module
+            + " of "
+            + label
             + " is \""
             + name
             + "\", which is no class name; write the full name of a Java class";
@@ -63,6 +66,12 @@ final class Rules {
   static @Nullable String host(String host) {
     return host.isEmpty() || host.chars().anyMatch(Character::isWhitespace)
         ? "the host is \"" + host + "\"; write one address or host name, or auto"
+        : null;
+  }
+
+  static @Nullable String lookupGroup(String group) {
+    return group.isBlank() || group.contains(",") || !group.equals(group.strip())
+        ? "the discovery group \"" + group + "\" is blank or holds a comma; write one name"
         : null;
   }
 
