@@ -1,10 +1,17 @@
 package org.dfra.core.config;
 
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
 import java.io.Serializable;
+import java.math.BigDecimal;
 import java.time.Duration;
+import java.util.Collections;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,9 +26,9 @@ public final class Parameters implements Serializable {
    * One parameter.
    *
    * @param text the value as written, after substitution
-   * @param place where it was written, as {@code file:line}
+   * @param place where it was written
    */
-  public record Value(String text, String place) implements Serializable {}
+  public record Value(String text, Place place) implements Serializable {}
 
   private final String owner;
   private final TreeMap<String, Value> values;
@@ -35,10 +42,10 @@ public final class Parameters implements Serializable {
     this.values = new TreeMap<>(values);
   }
 
-  /** Parameters given in code, for tests and examples; their place is {@code code}. */
+  /** Parameters given in code, for tests and examples; their place is {@link Place#CODE}. */
   public static Parameters of(String owner, Map<String, String> texts) {
     Map<String, Value> values = new TreeMap<>();
-    texts.forEach((name, text) -> values.put(name, new Value(text, "code")));
+    texts.forEach((name, text) -> values.put(name, new Value(text, Place.CODE)));
     return new Parameters(owner, values);
   }
 
@@ -62,19 +69,7 @@ public final class Parameters implements Serializable {
    * @throws ConfigurationException if it is set and is not such a number
    */
   public double number(String name, double fallback, double min, double max) {
-    @Nullable Value value = values.get(name);
-    if (value == null) {
-      return fallback;
-    }
-    try {
-      double number = Double.parseDouble(value.text().trim());
-      if (number >= min && number <= max) {
-        return number;
-      }
-    } catch (NumberFormatException e) {
-      throw fault(name, value, "a number from " + min + " to " + max, e);
-    }
-    throw fault(name, value, "a number from " + min + " to " + max, null);
+    return number(name, fallback, min, max, "a number");
   }
 
   /**
@@ -83,7 +78,8 @@ public final class Parameters implements Serializable {
    * @throws ConfigurationException if it is set and is not such a time span
    */
   public Duration seconds(String name, Duration fallback, Duration min, Duration max) {
-    double seconds = number(name, seconds(fallback), seconds(min), seconds(max));
+    double seconds =
+        number(name, seconds(fallback), seconds(min), seconds(max), "a number of seconds");
     return Duration.ofNanos(Math.round(seconds * 1e9));
   }
 
@@ -94,7 +90,59 @@ public final class Parameters implements Serializable {
 
   /** All parameters by name, in alphabetical order. */
   public Map<String, Value> all() {
-    return Map.copyOf(values);
+    return Collections.unmodifiableMap(values);
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof Parameters that
+        && owner.equals(that.owner)
+        && values.equals(that.values);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(owner, values);
+  }
+
+  /** {@code owner {name=text, …}}. */
+  @Override
+  public String toString() {
+    return values.entrySet().stream()
+        .map(entry -> entry.getKey() + "=" + entry.getValue().text())
+        .collect(Collectors.joining(", ", owner + " {", "}"));
+  }
+
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    if (owner == null || values == null) {
+      throw new InvalidObjectException("parameters without an owner or without values");
+    }
+  }
+
+  private double number(String name, double fallback, double min, double max, String kind) {
+    Value value = values.get(name);
+    if (value == null) {
+      return fallback;
+    }
+    String expected = kind + " from " + plain(min) + " to " + plain(max);
+    try {
+      // Not Double.parseDouble: it also takes "0x1p3", "9f" and "NaN".
+      double number = new BigDecimal(value.text().trim()).doubleValue();
+      if (number >= min && number <= max) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      throw fault(name, value, expected, e);
+    }
+    throw fault(name, value, expected, null);
+  }
+
+  /** 9600 rather than 9600.0. */
+  private static String plain(double number) {
+    return number == Math.rint(number) && Math.abs(number) < 1e15
+        ? Long.toString((long) number)
+        : Double.toString(number);
   }
 
   private Value value(String name) {

@@ -2,6 +2,7 @@ package org.dfra.core.module;
 
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
@@ -16,7 +17,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Lifecycle: the constructor assigns; {@link #start} opens the device or begins to, and returns
  * at once; {@link #close} undoes it. A device that is not there is no exception: the module stays
- * {@link Readiness#INITIALIZING} and goes on trying.
+ * {@link Readiness#INITIALIZING} and goes on trying. {@link #start} and {@link #close} may be
+ * called by any threads at any time; {@link #onStart} and {@link #onClose} never overlap.
  */
 public abstract class ModuleImpl implements Module, AutoCloseable {
 
@@ -26,9 +28,14 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final Parameters parameters;
   private final InstantSource clock;
 
+  /** Held while {@link #onStart} or {@link #onClose} runs; taken before {@link #lock}. */
+  private final ReentrantLock lifecycle = new ReentrantLock();
+
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition readinessChanged = lock.newCondition();
   private Readiness readiness = Readiness.CREATED; // guarded by lock
+  private boolean started; // guarded by lock
+  private boolean closed; // guarded by lock
 
   /**
    * @param context what the driver is given
@@ -46,41 +53,92 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
 
   /**
    * Begins to work: {@link Readiness#CREATED} to {@link Readiness#INITIALIZING}. Does nothing when
-   * already begun.
+   * already begun or ended. Where {@link #onStart} throws, the module is {@link Readiness#FAILED},
+   * the caller gets what was thrown, and {@link #close} is still to be called.
    */
   public final void start() {
-    lock.lock();
+    lifecycle.lock();
     try {
-      if (readiness != Readiness.CREATED) {
+      if (!begin()) {
         return;
       }
-      become(Readiness.INITIALIZING);
+      onStart();
+    } catch (RuntimeException | Error e) {
+      failIfAlive();
+      throw e;
     } finally {
-      lock.unlock();
+      lifecycle.unlock();
     }
-    onStart();
   }
 
-  /** Ends for good: {@link Readiness#STOPPED}. Does nothing when already ended. */
+  /**
+   * Ends for good: {@link Readiness#STOPPED} at once, so that nobody waits for this module any
+   * longer; then {@link #onClose}, after an {@link #onStart} that may still run. Does nothing when
+   * already ended.
+   */
   @Override
   public final void close() {
+    if (!end()) {
+      return;
+    }
+    lifecycle.lock();
+    try {
+      onClose();
+    } finally {
+      lifecycle.unlock();
+    }
+  }
+
+  /**
+   * Opens the device or spawns the thread that does. Called at most once, on the caller's thread.
+   */
+  protected abstract void onStart();
+
+  /**
+   * Undoes {@link #onStart}, completely, before it returns; also one that threw halfway. Called at
+   * most once, and only after {@link #onStart}.
+   */
+  protected abstract void onClose();
+
+  private boolean begin() {
     lock.lock();
     try {
-      if (readiness == Readiness.STOPPED) {
-        return;
+      if (started || closed) {
+        return false;
       }
-      become(Readiness.STOPPED);
+      started = true;
+      become(Readiness.INITIALIZING);
+      return true;
     } finally {
       lock.unlock();
     }
-    onClose();
   }
 
-  /** Opens the device or spawns the thread that does. Called once, on the caller's thread. */
-  protected abstract void onStart();
+  /** Whether there is anything to undo. */
+  private boolean end() {
+    lock.lock();
+    try {
+      if (closed) {
+        return false;
+      }
+      become(Readiness.STOPPED);
+      closed = true;
+      return started;
+    } finally {
+      lock.unlock();
+    }
+  }
 
-  /** Undoes {@link #onStart}, completely, before it returns. Called at most once. */
-  protected abstract void onClose();
+  private void failIfAlive() {
+    lock.lock();
+    try {
+      if (readiness.mayBecome(Readiness.FAILED)) {
+        become(Readiness.FAILED);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
 
   @Override
   public final Identification identification() {
@@ -101,7 +159,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   public final Readiness awaitReadiness(Duration patience) {
     lock.lock();
     try {
-      long nanos = patience.toNanos();
+      long nanos = TimeUnit.NANOSECONDS.convert(patience); // the longest there is, if too long
       while (!readiness.serves() && !readiness.isHopeless() && nanos > 0) {
         nanos = readinessChanged.awaitNanos(nanos);
       }
@@ -115,14 +173,15 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Moves along an arrow of {@link Readiness}; does nothing when already there.
+   * Moves along an arrow of {@link Readiness}. Does nothing when already there, nor after {@link
+   * #close}, of which a driver's thread may hear too late to be blamed.
    *
    * @throws IllegalStateException if there is no such arrow
    */
   protected final void become(Readiness next) {
     lock.lock();
     try {
-      if (readiness == next) {
+      if (readiness == next || closed) {
         return;
       }
       if (!readiness.mayBecome(next)) {

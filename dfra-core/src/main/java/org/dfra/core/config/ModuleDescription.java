@@ -1,0 +1,52 @@
+package org.dfra.core.config;
+
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One module, as the robot's XML and the module's properties describe it, with every variable
+ * substituted. It goes into the activation log, so it is small and holds no type but the JDK's and
+ * this package's.
+ *
+ * @param robot name of the robot
+ * @param name name of the module, unique on its robot, in lower_snake_case
+ * @param serverClass full name of the module server's class
+ * @param proxyClass full name of the smart proxy's class
+ * @param driverClass full name of the driver's class
+ * @param configuration absolute path of the module's Jini configuration; null for the usual one
+ * @param restart whether it is started again at once after a crash, rather than at the next call
+ * @param parameters what the driver is told
+ * @param place where the robot's XML holds the module
+ */
+public record ModuleDescription(
+    String robot,
+    String name,
+    String serverClass,
+    String proxyClass,
+    String driverClass,
+    @Nullable String configuration,
+    boolean restart,
+    Parameters parameters,
+    Place place)
+    implements Serializable {
+
+  public ModuleDescription {
+    Rules.require(place, Rules.name("robot", robot));
+    Rules.require(place, Rules.name("module", name));
+    Rules.require(place, Rules.className("module " + name, "server", serverClass));
+    Rules.require(place, Rules.className("module " + name, "proxy", proxyClass));
+    Rules.require(place, Rules.className("module " + name, "driver", driverClass));
+    if (configuration != null && configuration.isBlank()) {
+      throw new ConfigurationException(
+          place
+              + ": the configuration of module "
+              + name
+              + " is blank; name a file or leave it out");
+    }
+  }
+
+  /** {@code robot/name}, the way a module is written wherever one line must name it. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

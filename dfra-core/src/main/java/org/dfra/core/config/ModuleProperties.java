@@ -1,0 +1,81 @@
+package org.dfra.core.config;
+
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A module's properties: which classes it is made of, and what its driver is told by default. The
+ * syntax is that of {@link Properties}, the encoding UTF-8.
+ *
+ * @param source the file that was read
+ * @param values what was written, by key, with variables substituted, in the order written
+ */
+public record ModuleProperties(Path source, Map<String, Parameters.Value> values) {
+
+  /** Key of the module server's class. */
+  public static final String SERVER = "server";
+
+  /** Key of the smart proxy's class. */
+  public static final String PROXY = "proxy";
+
+  /** Key of the driver's class. */
+  public static final String DRIVER = "driver";
+
+  /** Key of the module's Jini configuration, a path relative to the properties file. */
+  public static final String CONFIGURATION = "configuration";
+
+  /** What the key of a parameter begins with; the parameter's name follows. */
+  public static final String PARAMETER = "parameter.";
+
+  /** Every key there is; {@link #PARAMETER} stands for all that begin with it. */
+  public static final List<String> KEYS = List.of(SERVER, PROXY, DRIVER, CONFIGURATION, PARAMETER);
+
+  public ModuleProperties {
+    values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+  }
+
+  /**
+   * Reads a file; variables come from system properties and the environment.
+   *
+   * @throws ConfigurationException naming everything that is wrong with it, a line each
+   */
+  public static ModuleProperties read(Path file) {
+    return read(file, Substitution::environment);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param lookup gives the value of a variable, or null where it is not set
+   * @throws ConfigurationException naming everything that is wrong with it, a line each
+   */
+  public static ModuleProperties read(Path file, Function<String, @Nullable String> lookup) {
+    Faults faults = new Faults();
+    PropertiesReader reader = new PropertiesReader(file, new Substitution(lookup, faults), faults);
+    ModuleProperties properties = reader.read();
+    faults.throwIfAny();
+    return properties;
+  }
+
+  /** What was written for a key. */
+  public Optional<Parameters.Value> find(String key) {
+    return Optional.ofNullable(values.get(key));
+  }
+
+  /** The parameters, by name without {@link #PARAMETER}. */
+  public Map<String, Parameters.Value> parameters() {
+    return values.entrySet().stream()
+        .filter(entry -> entry.getKey().startsWith(PARAMETER))
+        .collect(
+            Collectors.toMap(
+                entry -> entry.getKey().substring(PARAMETER.length()), Map.Entry::getValue));
+  }
+}

@@ -1,0 +1,160 @@
+package org.dfra.core.config;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.jdom2.Element;
+import org.jspecify.annotations.Nullable;
+
+/** One reading of one {@code <module>}: its properties, and what the XML says instead of them. */
+final class ModuleReader {
+
+  private final Path file;
+  private final Element element;
+  private final XmlValues values;
+  private final Faults faults;
+  private final @Nullable String name;
+  private final String label;
+  private final @Nullable PropertiesReader reader;
+  private final ModuleProperties properties;
+
+  ModuleReader(
+      Path file, Element element, XmlValues values, Substitution substitution, Faults faults) {
+    this.file = file;
+    this.element = element;
+    this.values = values;
+    this.faults = faults;
+    this.name = values.name(element);
+    this.label = name == null ? "module" : "module " + name;
+    Path path = existing("properties", values.attribute(element, "properties"), file);
+    this.reader = path == null ? null : new PropertiesReader(path, substitution, faults);
+    this.properties = reader == null ? new ModuleProperties(file, Map.of()) : reader.read();
+  }
+
+  /** The module's name; null where it has none. */
+  @Nullable String name() {
+    return name;
+  }
+
+  /** The module; empty, with the reasons among the faults, if anything is wrong so far. */
+  Optional<ModuleDescription> module(@Nullable String robot) {
+    String server = className(ModuleProperties.SERVER);
+    String proxy = className(ModuleProperties.PROXY);
+    String driver = className(ModuleProperties.DRIVER);
+    String configuration = configuration();
+    boolean restart = values.restart(element);
+    Map<String, Parameters.Value> parameters = parameters();
+    if (!faults.isEmpty()
+        || robot == null
+        || name == null
+        || server == null
+        || proxy == null
+        || driver == null) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new ModuleDescription(
+            robot,
+            name,
+            server,
+            proxy,
+            driver,
+            configuration,
+            restart,
+            new Parameters(robot + "/" + name, parameters),
+            values.place(element)));
+  }
+
+  private @Nullable String className(String key) {
+    Optional<Parameters.Value> inProperties = properties.find(key);
+    boolean inXml = element.getAttributeValue(key) != null;
+    String text =
+        inXml
+            ? values.attribute(element, key)
+            : inProperties.map(Parameters.Value::text).orElse(null);
+    if (text == null && !inXml && !mayHold(key)) {
+      values.check(element, missing(key));
+    } else if (text != null) {
+      Place place = inXml ? values.place(element) : inProperties.orElseThrow().place();
+      String fault = Rules.className(label, key, text);
+      if (fault != null) {
+        faults.add(place, fault);
+      }
+    }
+    return text;
+  }
+
+  private String missing(String key) {
+    return label
+        + " has no "
+        + key
+        + "; write "
+        + key
+        + "=<class name> in "
+        + (reader == null ? "a properties file and name that here" : properties.source());
+  }
+
+  /** Whether the properties hold a key, or might if they could be read. */
+  private boolean mayHold(String key) {
+    return reader == null
+        ? element.getAttributeValue("properties") != null
+        : !reader.isReadable() || reader.holds(key);
+  }
+
+  private @Nullable String configuration() {
+    String key = ModuleProperties.CONFIGURATION;
+    Path path =
+        element.getAttributeValue(key) != null
+            ? existing(key, values.attribute(element, key), file)
+            : existing(
+                key,
+                properties.find(key).map(Parameters.Value::text).orElse(null),
+                properties.source());
+    return path == null ? null : path.toAbsolutePath().normalize().toString();
+  }
+
+  /** A file named relative to another one; null if it is not named or, a fault, not there. */
+  private @Nullable Path existing(String what, @Nullable String text, Path relativeTo) {
+    if (text == null) {
+      return null;
+    }
+    try {
+      Path path = relativeTo.resolveSibling(text).normalize();
+      if (Files.isRegularFile(path)) {
+        return path;
+      }
+    } catch (InvalidPathException e) {
+      // no path at all is no file either
+    }
+    values.check(
+        element,
+        "the "
+            + what
+            + " file \""
+            + text
+            + "\" of "
+            + label
+            + " does not exist; name one, relative to "
+            + relativeTo);
+    return null;
+  }
+
+  private Map<String, Parameters.Value> parameters() {
+    Map<String, Parameters.Value> parameters = new TreeMap<>(properties.parameters());
+    XmlValues.Once names = values.once();
+    for (Element child : element.getChildren("parameter", RobotSchema.NAMESPACE)) {
+      String parameter = values.name(child);
+      String value = values.attribute(child, "value");
+      if (parameter != null) {
+        names.check(child, parameter, "parameter " + parameter + " of " + label, "delete one");
+        if (value != null) {
+          parameters.put(parameter, new Parameters.Value(value, values.place(child)));
+        }
+      }
+    }
+    return parameters;
+  }
+}

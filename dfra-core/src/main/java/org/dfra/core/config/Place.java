@@ -1,0 +1,30 @@
+package org.dfra.core.config;
+
+import java.io.Serializable;
+
+/**
+ * Where something was written, so that a complaint about it can point there.
+ *
+ * @param file the file, as it was named to the reader; {@code code} for what no file holds
+ * @param line the line in it, the first is 1; 0 for the file as a whole
+ */
+public record Place(String file, int line) implements Serializable {
+
+  /** What was given in code, for tests and examples. */
+  public static final Place CODE = new Place("code", 0);
+
+  public Place {
+    if (file.isBlank()) {
+      throw new IllegalArgumentException("a place names no file");
+    }
+    if (line < 0) {
+      throw new IllegalArgumentException("line " + line + " of " + file + " is below 0");
+    }
+  }
+
+  /** {@code file:line}, or {@code file} for the file as a whole. */
+  @Override
+  public String toString() {
+    return line == 0 ? file : file + ":" + line;
+  }
+}

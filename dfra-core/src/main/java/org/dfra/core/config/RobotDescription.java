@@ -1,0 +1,94 @@
+package org.dfra.core.config;
+
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/**
+ * One robot, as its XML describes it, with every variable substituted.
+ *
+ * @param name name of the robot, in lower_snake_case
+ * @param host address or host name that the robot's proxies carry; {@code auto} to have an
+ *     interface chosen
+ * @param lookupGroups discovery groups whose registrars the robot's modules join; none if empty
+ * @param locators registrars joined by unicast, each as {@code jini://host} or {@code
+ *     jini://host:port}
+ * @param groups the service groups, at least one; at most one of them hosts the registrar
+ * @param source the file that was read
+ */
+public record RobotDescription(
+    String name,
+    String host,
+    List<String> lookupGroups,
+    List<String> locators,
+    List<GroupDescription> groups,
+    Path source) {
+
+  public RobotDescription {
+    Place whole = new Place(source.toString(), 0);
+    Rules.require(whole, Rules.name("robot", name));
+    Rules.require(whole, Rules.host(host));
+    lookupGroups.forEach(group -> Rules.require(whole, Rules.lookupGroup(group)));
+    locators.forEach(locator -> Rules.require(whole, Rules.locator(locator)));
+    lookupGroups = List.copyOf(lookupGroups);
+    locators = locators.stream().map(text -> Rules.canonicalLocator(text).orElseThrow()).toList();
+    groups = List.copyOf(groups);
+    if (groups.isEmpty()) {
+      throw new ConfigurationException(
+          whole + ": robot " + name + " has no group; add one, since a group runs its modules");
+    }
+    requireUnique("group", groups.stream(), GroupDescription::name, GroupDescription::place);
+    requireUnique(
+        "module", modules(groups).stream(), ModuleDescription::name, ModuleDescription::place);
+    for (ModuleDescription module : modules(groups)) {
+      if (!module.robot().equals(name)) {
+        throw new ConfigurationException(
+            module.place()
+                + ": module "
+                + module.path()
+                + " is not of robot "
+                + name
+                + "; give it that robot");
+      }
+    }
+    if (groups.stream().filter(group -> group.registrar().isPresent()).count() > 1) {
+      throw new ConfigurationException(
+          whole + ": robot " + name + " has more than one registrar; leave it in one group only");
+    }
+  }
+
+  /** The robot's own lookup service, if one of its groups hosts it. */
+  public Optional<RegistrarDescription> registrar() {
+    return groups.stream().flatMap(group -> group.registrar().stream()).findFirst();
+  }
+
+  /** The modules of all groups, in the order written. */
+  public List<ModuleDescription> modules() {
+    return modules(groups);
+  }
+
+  private static List<ModuleDescription> modules(List<GroupDescription> groups) {
+    return groups.stream().flatMap(group -> group.modules().stream()).toList();
+  }
+
+  private static <T> void requireUnique(
+      String what, Stream<T> things, Function<T, String> name, Function<T, Place> place) {
+    Set<String> seen = new HashSet<>();
+    things.forEach(
+        thing -> {
+          if (!seen.add(name.apply(thing))) {
+            throw new ConfigurationException(
+                place.apply(thing)
+                    + ": there is a second "
+                    + what
+                    + " "
+                    + name.apply(thing)
+                    + "; rename or delete one");
+          }
+        });
+  }
+}

@@ -1,0 +1,70 @@
+package org.dfra.core.config;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import org.jdom2.Element;
+import org.jdom2.JDOMException;
+import org.jdom2.Namespace;
+import org.jdom2.input.JDOMParseException;
+import org.jdom2.input.SAXBuilder;
+import org.jdom2.input.sax.XMLReaders;
+import org.jdom2.located.LocatedJDOMFactory;
+
+/** A text taken for a robot's XML: it must be well-formed, and about a robot. */
+final class RobotDocument {
+
+  private static final String NO_DOCTYPE = "http://apache.org/xml/features/disallow-doctype-decl";
+
+  private RobotDocument() {}
+
+  /**
+   * The root element; it and all below it know their lines.
+   *
+   * @throws ConfigurationException if the text is not well-formed or its root is no robot
+   */
+  static Element root(byte[] text, Place whole) {
+    SAXBuilder builder = new SAXBuilder(XMLReaders.NONVALIDATING, null, new LocatedJDOMFactory());
+    // Without a document type there is no entity, so nothing outside of the text is ever read.
+    builder.setFeature(NO_DOCTYPE, true);
+    builder.setExpandEntities(false);
+    try {
+      Element root = builder.build(new ByteArrayInputStream(text)).getRootElement();
+      requireRobot(root, whole);
+      return root;
+    } catch (JDOMParseException e) {
+      Place place = new Place(whole.file(), Math.max(0, e.getLineNumber()));
+      throw new ConfigurationException(place + ": " + sentence(e), e);
+    } catch (JDOMException | IOException e) {
+      throw new ConfigurationException(
+          whole + ": the XML cannot be read (" + e.getMessage() + "); correct it", e);
+    }
+  }
+
+  private static void requireRobot(Element root, Place whole) {
+    Namespace namespace = RobotSchema.NAMESPACE;
+    if (root.getName().equals("robot") && root.getNamespace().equals(namespace)) {
+      return;
+    }
+    String written =
+        root.getNamespaceURI().isEmpty()
+            ? "in no namespace"
+            : "in the namespace " + root.getNamespaceURI();
+    throw new ConfigurationException(
+        XmlValues.place(whole.file(), root)
+            + ": the root element is <"
+            + root.getName()
+            + "> "
+            + written
+            + "; write <robot xmlns=\""
+            + namespace.getURI()
+            + "\" …>");
+  }
+
+  private static String sentence(JDOMParseException fault) {
+    Throwable cause = fault.getCause() == null ? fault : fault.getCause();
+    String message = String.valueOf(cause.getMessage());
+    return message.contains(NO_DOCTYPE)
+        ? "a document type is not allowed, since it could name files elsewhere; delete <!DOCTYPE …>"
+        : "the XML is not well-formed (" + message + "); correct it here or just above";
+  }
+}

@@ -1,0 +1,122 @@
+package org.dfra.core.config;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.jdom2.Element;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One reading of one robot's XML. What the schema can tell is left to it; everything else that is
+ * wrong is noted here, and reading goes on, so that all of it is reported at once.
+ */
+final class RobotReader {
+
+  private final Path file;
+  private final Faults faults;
+  private final XmlValues values;
+  private final Substitution substitution;
+  private final XmlValues.Once groupNames;
+  private final XmlValues.Once moduleNames;
+  private final XmlValues.Once singles;
+
+  RobotReader(Path file, Substitution substitution, Faults faults) {
+    this.file = file;
+    this.substitution = substitution;
+    this.faults = faults;
+    this.values = new XmlValues(file.toString(), substitution, faults);
+    this.groupNames = values.once();
+    this.moduleNames = values.once();
+    this.singles = values.once();
+  }
+
+  /** The robot; empty, with the reasons among the faults, if there is anything wrong with it. */
+  Optional<RobotDescription> robot(Element root) {
+    String name = values.name(root);
+    String host = values.attribute(root, "host", "auto");
+    values.check(root, host == null ? null : Rules.host(host));
+    List<String> lookupGroups = new ArrayList<>();
+    List<String> locators = new ArrayList<>();
+    List<GroupDescription> groups = new ArrayList<>();
+    for (Element lookup : children(root, "lookup")) {
+      singles.check(lookup, "lookup", "<lookup>", "make them one");
+      lookupGroups.addAll(list(lookup, "groups"));
+      locators.addAll(list(lookup, "locators"));
+      locators.forEach(locator -> values.check(lookup, Rules.locator(locator)));
+    }
+    for (Element group : children(root, "group")) {
+      group(group, name).ifPresent(groups::add);
+    }
+    if (root.getChildren().stream().allMatch(child -> child.getName().equals("lookup"))) {
+      values.check(root, "the robot has no group; add a <group>, since a group runs its modules");
+    }
+    return faults.isEmpty() && name != null && host != null
+        ? Optional.of(new RobotDescription(name, host, lookupGroups, locators, groups, file))
+        : Optional.empty();
+  }
+
+  private Optional<GroupDescription> group(Element element, @Nullable String robot) {
+    String name = values.name(element);
+    if (name != null) {
+      groupNames.check(element, name, "group " + name, "rename one, or make them one");
+    }
+    List<String> options = new ArrayList<>();
+    for (Element option : children(element, "jvm-option")) {
+      String text = values.text(option);
+      if (text != null && text.isEmpty()) {
+        values.check(option, "the JVM option is empty; write one, such as -Xmx64m, or delete it");
+      } else if (text != null) {
+        options.add(text);
+      }
+    }
+    Optional<RegistrarDescription> registrar = Optional.empty();
+    for (Element child : children(element, "registrar")) {
+      singles.check(child, "registrar", "<registrar>", "a robot has one at most, so delete one");
+      registrar = registrar(child);
+    }
+    List<ModuleDescription> modules = new ArrayList<>();
+    for (Element module : children(element, "module")) {
+      ModuleReader reader = new ModuleReader(file, module, values, substitution, faults);
+      String moduleName = reader.name();
+      if (moduleName != null) {
+        moduleNames.check(
+            module, moduleName, "module " + moduleName, "rename one, in whichever group it is");
+      }
+      reader.module(robot).ifPresent(modules::add);
+    }
+    return faults.isEmpty() && name != null
+        ? Optional.of(
+            new GroupDescription(name, options, registrar, modules, values.place(element)))
+        : Optional.empty();
+  }
+
+  private Optional<RegistrarDescription> registrar(Element element) {
+    String port =
+        values.attribute(element, "port", Integer.toString(RegistrarDescription.DISCOVERY_PORT));
+    String fault = port == null ? null : Rules.registrarPort(port);
+    values.check(element, fault);
+    boolean restart = values.restart(element);
+    return port == null || fault != null
+        ? Optional.empty()
+        : Optional.of(
+            new RegistrarDescription(Integer.parseInt(port), restart, values.place(element)));
+  }
+
+  /** The items between the commas of an attribute; a blank item is none. */
+  private List<String> list(Element element, String attribute) {
+    String text = values.attribute(element, attribute, "");
+    return text == null
+        ? List.of()
+        : Arrays.stream(text.split(","))
+            .map(String::strip)
+            .filter(item -> !item.isEmpty())
+            .distinct()
+            .toList();
+  }
+
+  private static List<Element> children(Element element, String name) {
+    return element.getChildren(name, RobotSchema.NAMESPACE);
+  }
+}

@@ -1,0 +1,78 @@
+package org.dfra.core.config;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import org.jdom2.Element;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads and writes robots. The XML's reference is {@code docs/reference/robot-xml.md}, its schema
+ * {@code robot.xsd}.
+ */
+public final class RobotXml {
+
+  private RobotXml() {}
+
+  /**
+   * Reads a robot's XML and the properties of its modules; variables come from system properties
+   * and, where these are silent, from the environment.
+   *
+   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   */
+  public static RobotDescription read(Path file) {
+    return read(file, Substitution::environment);
+  }
+
+  /**
+   * Reads a robot's XML and the properties of its modules.
+   *
+   * @param lookup gives the value of a variable, or null where it is not set
+   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   */
+  public static RobotDescription read(Path file, Function<String, @Nullable String> lookup) {
+    byte[] text = bytes(file);
+    Place whole = new Place(file.toString(), 0);
+    Element root = RobotDocument.root(text, whole);
+    Faults faults = new Faults();
+    RobotSchema.validate(text, whole, faults);
+    Optional<RobotDescription> robot =
+        new RobotReader(file, new Substitution(lookup, faults), faults).robot(root);
+    faults.throwIfAny();
+    return robot.orElseThrow();
+  }
+
+  /**
+   * The robot as XML that needs neither variables nor properties files: reading it gives an equal
+   * description, apart from the places.
+   *
+   * @throws ConfigurationException if a text holds a character that XML has no way to write
+   */
+  public static String text(RobotDescription robot) {
+    return RobotWriter.text(robot);
+  }
+
+  /**
+   * Writes {@link #text} to a file, in place of what it held.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public static void write(RobotDescription robot, Path file) throws IOException {
+    Files.writeString(file, text(robot));
+  }
+
+  private static byte[] bytes(Path file) {
+    try {
+      return Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      throw new ConfigurationException(
+          file + ": there is no such file; name the XML file of a robot", e);
+    } catch (IOException e) {
+      throw new ConfigurationException(
+          file + ": the file cannot be read (" + e + "); name a readable file", e);
+    }
+  }
+}

@@ -1,0 +1,119 @@
+package org.dfra.core.config;
+
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a single text of a description must look like. Each rule returns its complaint, or null; the
+ * reader collects the complaints of a whole file, a record's constructor throws its first one.
+ */
+final class Rules {
+
+  private static final Pattern SNAKE = Pattern.compile("[a-z][a-z0-9]*(_[a-z0-9]+)*");
+  private static final Pattern CLASS =
+      Pattern.compile(
+          "(\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*\\.)*"
+              + "\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*");
+  private static final int LAST_PORT = 65535;
+
+  private Rules() {}
+
+  /** Throws the complaint, if there is one, with the place it is about. */
+  static void require(Place place, @Nullable String complaint) {
+    if (complaint != null) {
+      throw new ConfigurationException(place + ": " + complaint);
+    }
+  }
+
+  static @Nullable String name(String what, String name) {
+    if (SNAKE.matcher(name).matches()) {
+      return null;
+    }
+    String snake =
+        name.trim()
+            .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_")
+            .replaceAll("[^A-Za-z0-9]+", "_")
+            .toLowerCase(Locale.ROOT);
+    return "the "
+        + what
+        + " name \""
+        + name
+        + "\" is not lower_snake_case; write "
+        + (SNAKE.matcher(snake).matches()
+            ? "\"" + snake + "\""
+            : "small letters, digits and single underscores, a letter first");
+  }
+
+  /**
+   * @param label what the class is of: {@code module} and its name
+   */
+  static @Nullable String className(String label, String key, String name) {
+    return CLASS.matcher(name).matches()
+        ? null
+        : "the "
+            + key
+            + " of "
+            + label
+            + " is \""
+            + name
+            + "\", which is no class name; write the full name of a Java class";
+  }
+
+  static @Nullable String host(String host) {
+    return host.isEmpty() || host.chars().anyMatch(Character::isWhitespace)
+        ? "the host is \"" + host + "\"; write one address or host name, or auto"
+        : null;
+  }
+
+  static @Nullable String lookupGroup(String group) {
+    return group.isBlank() || group.contains(",") || !group.equals(group.strip())
+        ? "the discovery group \"" + group + "\" is blank or holds a comma; write one name"
+        : null;
+  }
+
+  static @Nullable String registrarPort(String port) {
+    return number(port) >= 0
+        ? null
+        : "the registrar's port is \"" + port + "\"; write a whole number from 0 to " + LAST_PORT;
+  }
+
+  static @Nullable String locator(String text) {
+    return canonicalLocator(text).isPresent()
+        ? null
+        : "the locator \""
+            + text
+            + "\" is not understood; write host, host:port or jini://host:port, the port from 1 to "
+            + LAST_PORT;
+  }
+
+  /** The locator as {@code jini://host} or {@code jini://host:port}; empty if it is none. */
+  static Optional<String> canonicalLocator(String text) {
+    try {
+      URI uri = new URI(text.startsWith("jini://") ? text : "jini://" + text);
+      boolean plain =
+          uri.getHost() != null
+              && uri.getUserInfo() == null
+              && (uri.getPath().isEmpty() || uri.getPath().equals("/"))
+              && uri.getQuery() == null
+              && uri.getFragment() == null;
+      if (!plain || uri.getPort() == 0 || uri.getPort() > LAST_PORT) {
+        return Optional.empty();
+      }
+      String port = uri.getPort() < 0 ? "" : ":" + uri.getPort();
+      return Optional.of("jini://" + uri.getHost() + port);
+    } catch (URISyntaxException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** The port, or −1 if the text is none. */
+  private static int number(String port) {
+    return port.matches("[0-9]{1,5}") && Integer.parseInt(port) <= LAST_PORT
+        ? Integer.parseInt(port)
+        : -1;
+  }
+}

@@ -1,0 +1,96 @@
+package org.dfra.core.config;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.jdom2.Element;
+import org.jdom2.located.Located;
+import org.jspecify.annotations.Nullable;
+
+/** Takes values out of XML elements: substituted, checked, each with its place. */
+final class XmlValues {
+
+  private final String file;
+  private final Substitution substitution;
+  private final Faults faults;
+
+  XmlValues(String file, Substitution substitution, Faults faults) {
+    this.file = file;
+    this.substitution = substitution;
+    this.faults = faults;
+  }
+
+  /** Where an element's start tag ends, which is as much as the parser tells. */
+  static Place place(String file, Element element) {
+    return new Place(file, element instanceof Located located ? located.getLine() : 0);
+  }
+
+  Place place(Element element) {
+    return place(file, element);
+  }
+
+  /** Notes a fault, unless there is none. */
+  void check(Element element, @Nullable String fault) {
+    if (fault != null) {
+      faults.add(place(element), fault);
+    }
+  }
+
+  /** The value of an attribute; null if it is absent or its variables cannot be substituted. */
+  @Nullable String attribute(Element element, String name) {
+    String written = element.getAttributeValue(name);
+    return written == null ? null : substitution.apply(written, place(element));
+  }
+
+  /** The value of an attribute, or what stands for it where it is absent. */
+  @Nullable String attribute(Element element, String name, String absent) {
+    return element.getAttributeValue(name) == null ? absent : attribute(element, name);
+  }
+
+  /** The text between an element's tags, without the blanks around it. */
+  @Nullable String text(Element element) {
+    return substitution.apply(element.getTextTrim(), place(element));
+  }
+
+  /** The attribute {@code name} in lower_snake_case. */
+  @Nullable String name(Element element) {
+    String name = attribute(element, "name");
+    check(element, name == null ? null : Rules.name(element.getName(), name));
+    return name;
+  }
+
+  /** The attribute {@code restart}; absent is true. */
+  boolean restart(Element element) {
+    String restart = attribute(element, "restart", "true");
+    if (restart != null && !restart.equals("true") && !restart.equals("false")) {
+      check(element, "restart is \"" + restart + "\"; write true or false");
+    }
+    return !"false".equals(restart);
+  }
+
+  /** Names of one kind, each of which may be given once. */
+  Once once() {
+    return new Once();
+  }
+
+  /** Remembers where each name was first written. */
+  final class Once {
+    private final Map<String, Place> first = new HashMap<>();
+
+    /**
+     * @param what the thing named, with its name, for the complaint about a second one
+     */
+    void check(Element element, String name, String what, String remedy) {
+      Place earlier = first.putIfAbsent(name, place(element));
+      if (earlier != null) {
+        faults.add(
+            place(element),
+            "there is a second "
+                + what
+                + ", the first is in line "
+                + earlier.line()
+                + "; "
+                + remedy);
+      }
+    }
+  }
+}
