@@ -14,9 +14,11 @@ import java.time.Duration;
 public interface Module {
 
   /** Who this module is. Constant while the module lives, so proxies may cache it. */
+  @Idempotent
   Identification identification() throws RemoteException;
 
   /** The state the module is in at the time of the call. */
+  @Idempotent
   Readiness readiness() throws RemoteException;
 
   /**
@@ -27,5 +29,6 @@ public interface Module {
    * @return the state at the end of the wait; it serves, it has failed or stopped, or the patience
    *     is used up
    */
+  @Idempotent
   Readiness awaitReadiness(Duration patience) throws RemoteException;
 }

@@ -1,6 +1,7 @@
 package org.dfra.flow.sensor;
 
 import java.rmi.RemoteException;
+import org.dfra.module.Idempotent;
 
 /** A satellite positioning receiver: it tells where it is and what time it is. */
 public interface GPSSensor extends LocationSensor, TimeSensor {
@@ -10,5 +11,6 @@ public interface GPSSensor extends LocationSensor, TimeSensor {
    *
    * @throws org.dfra.module.NotReadyException if there has been none yet
    */
+  @Idempotent
   GpsFix fix() throws RemoteException;
 }

@@ -1,6 +1,7 @@
 package org.dfra.flow.sensor;
 
 import java.rmi.RemoteException;
+import org.dfra.module.Idempotent;
 
 /** A sensor that tells where on the earth it is. */
 public interface LocationSensor extends Sensor {
@@ -10,5 +11,6 @@ public interface LocationSensor extends Sensor {
    *
    * @throws org.dfra.module.NotReadyException if there is none yet
    */
+  @Idempotent
   LocationReading location() throws RemoteException;
 }

@@ -1,6 +1,7 @@
 package org.dfra.flow.sensor;
 
 import java.rmi.RemoteException;
+import org.dfra.module.Idempotent;
 
 /** A sensor that tells the time better than the robot's own clock. */
 public interface TimeSensor extends Sensor {
@@ -10,5 +11,6 @@ public interface TimeSensor extends Sensor {
    *
    * @throws org.dfra.module.NotReadyException if there is none yet
    */
+  @Idempotent
   TimeReading time() throws RemoteException;
 }

@@ -27,6 +27,7 @@ import java.util.concurrent.FutureTask;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.security.proxytrust.TrustEquivalence;
+import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,8 +35,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It calls the live proxy. Where the object is certainly not there (no such object, no
  * connection, unknown host) it asks the activator for a new live proxy and tries again, three times
- * in all, and from the second time on with force. Any other remote failure may have run, so it
- * reaches the caller at once (at most once), and only the live proxy is forgotten.
+ * in all, and from the second time on with force. A call that broke off on its way may have run: it
+ * is repeated, once, where its method is {@link Idempotent}, and reaches the caller as a failure
+ * where it is not (at most once). A call that met its deadline is never repeated: the caller has
+ * waited long enough.
  *
  * <p>Callers that share a proxy share one activation: they wait for it together and get the same
  * outcome, so a silent activator costs each of them one deadline, not one after the other.
@@ -94,6 +97,7 @@ public final class ResurrectingHandler
 
   private @Nullable Object call(Method method, Object @Nullable [] args) throws Throwable {
     boolean force = false;
+    boolean repeatable = method.isAnnotationPresent(Idempotent.class);
     @Nullable Remote target = live();
     if (target == null) {
       target = activate(null, force);
@@ -109,14 +113,20 @@ public final class ResurrectingHandler
         if (attempt == ATTEMPTS) {
           throw e;
         }
-        target = activate(target, force);
-        force = true;
       } catch (MarshalException | ServerError | ServerException e) {
         throw e;
-      } catch (RemoteException e) {
+      } catch (DeadlineExceededException e) {
         forget(target);
         throw e;
+      } catch (RemoteException e) {
+        if (!repeatable || attempt == ATTEMPTS) {
+          forget(target);
+          throw e;
+        }
+        repeatable = false; // once is enough
       }
+      target = activate(target, force);
+      force = true;
     }
   }
 

@@ -26,8 +26,8 @@ import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import net.jini.jeri.BasicJeriExporter;
-import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -97,7 +97,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
 
   private static Exporter localExporter() {
     return new BasicJeriExporter(
-        TcpServerEndpoint.getInstance("127.0.0.1", 0),
+        Endpoints.tcp("127.0.0.1", 0),
         new DeadlineILFactory(INSTANTIATION_DEADLINE_MILLIS),
         false,
         true);

@@ -1,5 +1,6 @@
 package org.dfra.river.phoenix;
 
+import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
 import java.util.List;
@@ -13,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * stands for any run of characters.
  *
  * @param customGroups whether a descriptor may name its own group class, location or data
- * @param commands permitted command paths beside the daemon's own java
+ * @param commands permitted command paths
  * @param options permitted options
  * @param properties permitted {@code name=value} system properties
  */
@@ -21,7 +22,13 @@ record ExecPolicy(
     boolean customGroups, List<String> commands, List<String> options, List<String> properties) {
 
   /** The daemon's own java with any option and property. */
-  static final ExecPolicy DEFAULT = new ExecPolicy(false, List.of(), List.of("*"), List.of("*"));
+  static final ExecPolicy DEFAULT =
+      new ExecPolicy(false, List.of(ownJava()), List.of("*"), List.of("*"));
+
+  /** The java command of this virtual machine, which also stands in for none. */
+  static String ownJava() {
+    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+  }
 
   /**
    * Refuses a descriptor that asks for more than is permitted.

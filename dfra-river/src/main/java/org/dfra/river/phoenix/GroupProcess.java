@@ -62,8 +62,7 @@ final class GroupProcess {
     List<String> command = new ArrayList<>();
     ActivationGroupDesc.@Nullable CommandEnvironment environment = desc.getCommandEnvironment();
     String path = environment == null ? null : environment.getCommandPath();
-    command.add(
-        path != null ? path : Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add(path != null ? path : ExecPolicy.ownJava());
     command.add(mark(daemon) + group);
     if (environment != null) {
       command.addAll(List.of(environment.getCommandOptions()));

@@ -65,7 +65,8 @@ final class JournalHandler extends LogHandler {
     }
     byte[] bytes;
     try {
-      bytes = checked(in.readAllBytes(), "record " + records);
+      // River's stream refuses to be read beyond the record, and says how long that is.
+      bytes = checked(in.readNBytes(in.available()), "record " + records);
     } catch (IOException e) {
       tornRecord = records;
       return;

@@ -3,18 +3,16 @@ package org.dfra.river.phoenix;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.UUID;
 import javax.security.auth.login.LoginContext;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
-import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicJeriExporter;
-import net.jini.jeri.tcp.TcpServerEndpoint;
 import net.jini.security.BasicProxyPreparer;
 import net.jini.security.ProxyPreparer;
 import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,15 +47,6 @@ record PhoenixConfiguration(
   /** TCP port of the activation system where nothing else is configured. */
   static final int DEFAULT_PORT = 1198;
 
-  /** The activator keeps its identity across restarts, so that old proxies find it again. */
-  static final Uuid ACTIVATOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a11");
-
-  /** So does the activation system. */
-  static final Uuid SYSTEM = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12");
-
-  /** And the monitor. */
-  static final Uuid MONITOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a13");
-
   /** Activation includes the start of a virtual machine, so it may take longer than other calls. */
   private static final long ACTIVATION_DEADLINE_MILLIS = 30_000;
 
@@ -77,17 +66,24 @@ record PhoenixConfiguration(
             c,
             "activatorExporter",
             Exporter.class,
-            exporter(ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
-        entry(c, "systemExporter", Exporter.class, exporter(SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
+            exporter(Identities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
         entry(
-            c, "monitorExporter", Exporter.class, exporter(MONITOR, REGISTRATION_DEADLINE_MILLIS)),
+            c,
+            "systemExporter",
+            Exporter.class,
+            exporter(Identities.SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
+        entry(
+            c,
+            "monitorExporter",
+            Exporter.class,
+            exporter(Identities.MONITOR, REGISTRATION_DEADLINE_MILLIS)),
         entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
         optional(c, "groupConfig", String[].class),
         optional(c, "groupLocation", String.class),
         List.of(entry(c, "groupOptions", String[].class, new String[0])),
         millis(c, "groupTimeout", Duration.ofSeconds(60)),
         number(c, "groupThrottle", 3, 1),
-        millis(c, "unexportTimeout", Duration.ofSeconds(60)),
+        millis(c, "unexportTimeout", Duration.ofSeconds(5)),
         millis(c, "unexportWait", Duration.ofMillis(10)),
         number(c, "registryPort", Integer.getInteger("java.rmi.activation.port", 1098), -1),
         new RestartPolicy(
@@ -106,19 +102,11 @@ record PhoenixConfiguration(
   /** An exporter on the standard port. */
   static Exporter exporter(Uuid identity, long deadlineMillis) {
     return new BasicJeriExporter(
-        TcpServerEndpoint.getInstance(Integer.getInteger(PORT_PROPERTY, DEFAULT_PORT)),
+        Endpoints.tcp("localhost", DEFAULT_PORT),
         new DeadlineILFactory(deadlineMillis),
         false,
         true,
         identity);
-  }
-
-  /** System property with the port, where no exporter is configured. */
-  static final String PORT_PROPERTY = "org.dfra.phoenix.port";
-
-  private static Uuid uuid(String text) {
-    UUID uuid = UUID.fromString(text);
-    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
   }
 
   private static <T> T entry(Configuration c, String name, Class<T> type)

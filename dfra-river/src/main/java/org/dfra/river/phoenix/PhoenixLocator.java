@@ -24,8 +24,7 @@ public final class PhoenixLocator {
   public static ActivationSystem system(String host, int port, Duration deadline) {
     return (ActivationSystem)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                TcpEndpoint.getInstance(host, port), PhoenixConfiguration.SYSTEM, false),
+            new BasicObjectEndpoint(TcpEndpoint.getInstance(host, port), Identities.SYSTEM, false),
             deadline,
             PhoenixLocator.class.getClassLoader(),
             ActivationSystem.class,

@@ -1,0 +1,151 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupDesc.CommandEnvironment;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationSystem;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.UUID;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.phoenix.Phoenix;
+import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.server.ModuleActivation;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Registers what a robot's description names with the activation system: each group, and in it each
+ * service with its marshalled activation data. What is registered under the same names already is
+ * described anew instead.
+ */
+final class BootstrapLoader {
+
+  private static final String REGGIE = "com.sun.jini.reggie.PersistentRegistrarImpl";
+
+  private final PhoenixAdmin admin;
+  private final ActivationSystem system;
+  private final String robot;
+
+  BootstrapLoader(PhoenixAdmin admin, ActivationSystem system, String robot) {
+    this.admin = admin;
+    this.system = system;
+    this.robot = robot;
+  }
+
+  /** Registers a service group. */
+  ActivationGroupID group(GroupDescription group) throws ActivationException, RemoteException {
+    Properties properties = new Properties();
+    properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());
+    List<String> options = new ArrayList<>(JvmCommand.options());
+    options.addAll(group.jvmOptions());
+    ActivationGroupDesc desc =
+        new ActivationGroupDesc(
+            properties, new CommandEnvironment(null, options.toArray(String[]::new)));
+    Optional<ActivationGroupID> known = known(properties);
+    if (known.isPresent()) {
+      system.setActivationGroupDesc(known.get(), desc);
+      return known.get();
+    }
+    return system.registerGroup(desc);
+  }
+
+  private Optional<ActivationGroupID> known(Properties wanted) throws RemoteException {
+    String name = wanted.getProperty(Phoenix.GROUP_NAME);
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
+    return groups.entrySet().stream()
+        .filter(
+            each ->
+                each.getValue().getPropertyOverrides() != null
+                    && name.equals(
+                        each.getValue().getPropertyOverrides().getProperty(Phoenix.GROUP_NAME)))
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+
+  /** Registers the robot's registrar: stock reggie. */
+  Service registrar(
+      GroupDescription group, RegistrarDescription registrar, MarshalledObject<String[]> data)
+      throws ActivationException, IOException {
+    ActivationGroupID groupId = group(group);
+    ActivationDesc desc = new ActivationDesc(groupId, REGGIE, null, data, registrar.restart());
+    @Nullable ActivationID known = null;
+    for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
+      if (each.getValue().getClassName().equals(REGGIE)) {
+        known = each.getKey();
+      }
+    }
+    return new Service(robot + "/registrar", group.name(), register(known, desc));
+  }
+
+  /** Registers a module. */
+  Service module(
+      ActivationGroupID groupId,
+      GroupDescription group,
+      ModuleDescription module,
+      String host,
+      List<String> locators,
+      List<String> lookupGroups)
+      throws ActivationException, IOException {
+    @Nullable ActivationID known = null;
+    UUID identity = UUID.randomUUID();
+    for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
+      Optional<ModuleActivation> data = activationData(each.getValue());
+      if (data.isPresent() && data.get().module().name().equals(module.name())) {
+        known = each.getKey();
+        identity = data.get().id();
+      }
+    }
+    ActivationDesc desc =
+        new ActivationDesc(
+            groupId,
+            module.serverClass(),
+            null,
+            new MarshalledObject<>(
+                new ModuleActivation(module, identity, host, lookupGroups, locators)),
+            module.restart());
+    return new Service(module.path(), group.name(), register(known, desc));
+  }
+
+  private ActivationID register(@Nullable ActivationID known, ActivationDesc desc)
+      throws ActivationException, RemoteException {
+    if (known == null) {
+      return system.registerObject(desc);
+    }
+    system.setActivationDesc(known, desc);
+    return known;
+  }
+
+  @SuppressWarnings("unchecked") // as phoenix declares it
+  private Map<ActivationID, ActivationDesc> objects(ActivationGroupID group)
+      throws ActivationException, RemoteException {
+    return admin.getActivatableObjects(group);
+  }
+
+  private static Optional<ModuleActivation> activationData(ActivationDesc desc)
+      throws ActivationException {
+    try {
+      return desc.getData() != null && desc.getData().get() instanceof ModuleActivation data
+          ? Optional.of(data)
+          : Optional.empty();
+    } catch (IOException | ClassNotFoundException e) {
+      throw new ActivationException(
+          "what phoenix keeps of a "
+              + desc.getClassName()
+              + " cannot be read; it was registered by another version: take the robot down first",
+          e);
+    }
+  }
+}

@@ -1,0 +1,74 @@
+package org.dfra.river.bootstrap;
+
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.util.Comparator;
+import java.util.Optional;
+import org.dfra.core.config.ConfigurationException;
+
+/** Which address this host's proxies carry. */
+public final class HostAddress {
+
+  /** Asks for an interface to be chosen. */
+  public static final String AUTO = "auto";
+
+  private HostAddress() {}
+
+  /**
+   * The address to put into proxies.
+   *
+   * @param wanted an address or name, or {@link #AUTO}: the first IPv4 address of an interface that
+   *     is up, real and not the loopback; the loopback where there is no other
+   * @throws ConfigurationException if the name is not known or is not an address of this host
+   */
+  public static String resolve(String wanted) {
+    return wanted.equals(AUTO) ? choose() : check(wanted);
+  }
+
+  private static String choose() {
+    try {
+      Optional<String> found =
+          NetworkInterface.networkInterfaces()
+              .filter(HostAddress::isUsable)
+              .sorted(Comparator.comparingInt(NetworkInterface::getIndex))
+              .flatMap(NetworkInterface::inetAddresses)
+              .filter(address -> address.getAddress().length == 4)
+              .filter(address -> !address.isLoopbackAddress() && !address.isLinkLocalAddress())
+              .map(InetAddress::getHostAddress)
+              .findFirst();
+      return found.orElse("127.0.0.1");
+    } catch (SocketException e) {
+      throw new ConfigurationException(
+          "the network interfaces of this host cannot be listed; name its address with host=\"…\"",
+          e);
+    }
+  }
+
+  private static boolean isUsable(NetworkInterface candidate) {
+    try {
+      return candidate.isUp() && !candidate.isLoopback() && !candidate.isVirtual();
+    } catch (SocketException e) {
+      return false; // it went away
+    }
+  }
+
+  private static String check(String wanted) {
+    try {
+      InetAddress address = InetAddress.getByName(wanted);
+      if (!address.isLoopbackAddress() && NetworkInterface.getByInetAddress(address) == null) {
+        throw new ConfigurationException(
+            "host "
+                + wanted
+                + " is "
+                + address.getHostAddress()
+                + ", which is no address of this machine; name one that is, or auto");
+      }
+      return wanted;
+    } catch (UnknownHostException | SocketException e) {
+      throw new ConfigurationException(
+          "host " + wanted + " is not known; name an address of this machine, or auto", e);
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.dfra.river.bootstrap;
+
+import java.io.File;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * How another virtual machine of DFRA is started from this one: the same java, the same boot and
+ * class path. A child inherits no options by itself.
+ */
+public final class JvmCommand {
+
+  /** System property with what {@code -Xbootclasspath/a} was given, where the launcher knows it. */
+  static final String BOOT = "dfra.boot";
+
+  private JvmCommand() {}
+
+  /** The java command of this virtual machine. */
+  public static String java() {
+    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+  }
+
+  /** The options that a virtual machine of DFRA needs: boot path, class path, quick start. */
+  public static List<String> options() {
+    List<String> options = new ArrayList<>(bootOptions());
+    options.add("-XX:TieredStopAtLevel=1");
+    options.add("-XX:+UseSerialGC");
+    options.add("-Xshare:auto");
+    options.add("-cp");
+    options.add(classPath());
+    return options;
+  }
+
+  private static List<String> bootOptions() {
+    String boot = System.getProperty(BOOT);
+    if (boot != null) {
+      return List.of("-Xbootclasspath/a:" + absolute(boot), "-D" + BOOT + "=" + absolute(boot));
+    }
+    return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+        .filter(o -> o.startsWith("-Xbootclasspath/a:") || o.startsWith("-javaagent:"))
+        .map(o -> o.substring(0, o.indexOf(':') + 1) + absolute(o.substring(o.indexOf(':') + 1)))
+        .toList();
+  }
+
+  private static String classPath() {
+    return absolute(System.getProperty("java.class.path"));
+  }
+
+  private static String absolute(String path) {
+    return Stream.of(path.split(File.pathSeparator, -1))
+        .filter(entry -> !entry.isEmpty())
+        .map(entry -> Path.of(entry).toAbsolutePath().toString())
+        .collect(Collectors.joining(File.pathSeparator));
+  }
+}

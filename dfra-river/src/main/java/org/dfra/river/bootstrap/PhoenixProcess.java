@@ -1,0 +1,121 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationSystem;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.dfra.river.phoenix.Phoenix;
+import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.phoenix.PhoenixLocator;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Step 1 of the bootstrap: phoenix, in a process of its own.
+ *
+ * @param host address or name that activation proxies carry
+ * @param port TCP port of the activation system
+ * @param registryPort port of the read-only RMI registry, or −1 for none
+ * @param state folder of phoenix's journal and of its groups' output
+ */
+public record PhoenixProcess(String host, int port, int registryPort, Path state) {
+
+  private static final Duration DEADLINE = Duration.ofSeconds(10);
+  private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+  /** The activation system's proxy; nothing is sent before its first call. */
+  public ActivationSystem system() {
+    return PhoenixLocator.system(host, port, DEADLINE);
+  }
+
+  /** Whether a phoenix answers there. */
+  public boolean answers() {
+    try {
+      admin().groupStatus();
+      return true;
+    } catch (RemoteException e) {
+      return false;
+    }
+  }
+
+  /** The administrator's view of it. */
+  public PhoenixAdmin admin() {
+    return (PhoenixAdmin) system();
+  }
+
+  /** The file with what the process prints. */
+  public Path log() {
+    return state.resolve("phoenix.log");
+  }
+
+  /**
+   * Starts the process and waits until it answers.
+   *
+   * @param patience how long to wait
+   * @throws IOException if one answers there already, or if it cannot be started, ends or does not
+   *     answer in time
+   */
+  public Process start(Duration patience) throws IOException {
+    if (answers()) {
+      throw new IOException(
+          "a phoenix already answers at " + host + ":" + port + "; use it, or name another port");
+    }
+    Files.createDirectories(state);
+    Process process =
+        new ProcessBuilder(command())
+            .redirectErrorStream(true)
+            .redirectOutput(ProcessBuilder.Redirect.appendTo(log().toFile()))
+            .start();
+    process.getOutputStream().close();
+    long end = System.nanoTime() + patience.toNanos();
+    while (!answers()) {
+      if (!process.isAlive()) {
+        throw new IOException(
+            "phoenix ended at once (exit code " + process.exitValue() + "): " + lastWords());
+      }
+      if (System.nanoTime() - end > 0) {
+        process.destroyForcibly();
+        throw new IOException(
+            "phoenix did not answer within " + patience.toSeconds() + " s; see " + log());
+      }
+      // A process that is no part of this one says nothing when it is ready, so this looks again.
+      LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
+    }
+    return process;
+  }
+
+  private String lastWords() throws IOException {
+    List<String> lines = Files.readAllLines(log());
+    @Nullable String error =
+        lines.stream().filter(line -> line.contains("ERROR")).reduce((a, b) -> b).orElse(null);
+    return error != null ? error : "see " + log();
+  }
+
+  private List<String> command() {
+    List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
+    command.addAll(JvmCommand.options());
+    command.add(Phoenix.class.getName());
+    String resource = "phoenix.config";
+    command.add(PhoenixProcess.class.getResource(resource).toString());
+    override(command, "host", quote(host));
+    override(command, "port", Integer.toString(port));
+    override(command, "registryPort", Integer.toString(registryPort));
+    override(command, "persistenceDirectory", quote(state.resolve("journal").toString()));
+    override(command, "outputDirectory", quote(state.resolve("output").toString()));
+    return command;
+  }
+
+  private static void override(List<String> command, String entry, String expression) {
+    command.add("org.dfra.river.phoenix." + entry + "=" + expression);
+  }
+
+  /** A text as a Jini configuration writes it. */
+  static String quote(String text) {
+    return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+  }
+}

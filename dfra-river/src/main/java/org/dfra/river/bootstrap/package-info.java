@@ -1,0 +1,16 @@
+/**
+ * Bootstrap: from a robot's XML to its running modules. The composition root of the distributed
+ * layer.
+ *
+ * <pre>
+ *   1 phoenix starts        2 reggie starts         3 reggie is registered
+ *   4 the loader is made    5 robot XML             6 module properties
+ *   7 MarshalledObject, registered with phoenix     8 and so on for every module
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.river.bootstrap.RobotBootstrap}.
+ */
+@NullMarked
+package org.dfra.river.bootstrap;
+
+import org.jspecify.annotations.NullMarked;

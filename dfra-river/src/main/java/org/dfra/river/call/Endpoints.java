@@ -1,0 +1,85 @@
+package org.dfra.river.call;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.UnknownHostException;
+import javax.net.ServerSocketFactory;
+import net.jini.jeri.ServerEndpoint;
+import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * TCP endpoints that listen on one address only: the one that their proxies carry.
+ *
+ * <p>River's own listen on every interface, also on those that a robot's operator did not name.
+ */
+public final class Endpoints {
+
+  private Endpoints() {}
+
+  /**
+   * An endpoint to export on.
+   *
+   * @param host address or name of this machine; proxies carry it, and only it is listened on
+   * @param port TCP port, or 0 for one of the system's choice
+   * @throws IllegalArgumentException if the host is not known
+   */
+  public static ServerEndpoint tcp(String host, int port) {
+    return TcpServerEndpoint.getInstance(host, port, null, sockets(host));
+  }
+
+  /**
+   * A factory of server sockets that listen on one address.
+   *
+   * @throws IllegalArgumentException if the host is not known
+   */
+  public static ServerSocketFactory sockets(String host) {
+    try {
+      return new Bound(InetAddress.getByName(host));
+    } catch (UnknownHostException e) {
+      throw new IllegalArgumentException(
+          "host " + host + " is not known; name an address of this machine", e);
+    }
+  }
+
+  private static final class Bound extends ServerSocketFactory {
+
+    private final InetAddress address;
+
+    Bound(InetAddress address) {
+      this.address = address;
+    }
+
+    @Override
+    public ServerSocket createServerSocket() throws IOException {
+      return createServerSocket(0);
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int port) throws IOException {
+      return createServerSocket(port, 0);
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int port, int backlog) throws IOException {
+      return createServerSocket(port, backlog, address);
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int port, int backlog, InetAddress ifAddress)
+        throws IOException {
+      return new ServerSocket(port, backlog, ifAddress);
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Bound bound && bound.address.equals(address);
+    }
+
+    @Override
+    public int hashCode() {
+      return address.hashCode();
+    }
+  }
+}

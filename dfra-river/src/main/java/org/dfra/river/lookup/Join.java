@@ -1,0 +1,70 @@
+package org.dfra.river.lookup;
+
+import java.io.IOException;
+import java.io.Serializable;
+import java.util.List;
+import java.util.UUID;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.core.entry.Entry;
+import net.jini.core.lookup.ServiceID;
+import net.jini.discovery.DiscoveryManagement;
+import net.jini.lease.LeaseRenewalManager;
+import net.jini.lookup.JoinManager;
+import net.jini.lookup.entry.Name;
+
+/** Keeps a module registered with every lookup service that is found, until it is closed. */
+public final class Join implements AutoCloseable {
+
+  private final DiscoveryManagement discovery;
+  private final JoinManager manager;
+
+  private Join(DiscoveryManagement discovery, JoinManager manager) {
+    this.discovery = discovery;
+    this.manager = manager;
+  }
+
+  /**
+   * Begins to register a module. Returns at once; lookup services are joined as they are found.
+   *
+   * @param proxy what clients get
+   * @param id the module's identity, the same after every restart
+   * @param name the module's path, {@code robot/name}
+   * @param groups discovery groups; none if empty
+   * @param locators {@code jini://host:port} each
+   * @param configuration entries of River's own components, such as {@code
+   *     net.jini.lookup.JoinManager}
+   * @throws IOException if multicast cannot be used or a locator is malformed
+   */
+  public static Join join(
+      Serializable proxy,
+      UUID id,
+      String name,
+      List<String> groups,
+      List<String> locators,
+      Configuration configuration)
+      throws IOException, ConfigurationException {
+    DiscoveryManagement discovery = Discovery.begin(groups, locators, configuration);
+    try {
+      return new Join(
+          discovery,
+          new JoinManager(
+              proxy,
+              new Entry[] {new Name(name)},
+              new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+              discovery,
+              new LeaseRenewalManager(configuration),
+              configuration));
+    } catch (IOException | ConfigurationException | RuntimeException e) {
+      discovery.terminate();
+      throw e;
+    }
+  }
+
+  /** Takes the module out of every lookup service it joined. */
+  @Override
+  public void close() {
+    manager.terminate();
+    discovery.terminate();
+  }
+}

@@ -1,0 +1,114 @@
+package org.dfra.river.proxy;
+
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serializable;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.UUID;
+import org.dfra.module.Identification;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+import org.dfra.river.remote.RemoteModule;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Smart proxy of a module. It knows what is constant about the module, calls the implementation
+ * directly where that lives in the same virtual machine, and the server elsewhere.
+ *
+ * <p>A subclass has a public constructor with the arguments of {@link #ModuleProxy}, less the kind.
+ *
+ * @param <M> the module's interface
+ */
+public abstract class ModuleProxy<M extends Module> implements Module, Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private final Class<M> kind;
+  private final RemoteModule server;
+  private final UUID id;
+  private final Identification identification;
+
+  /**
+   * @param kind the module's interface
+   * @param server the server's remote proxy; it must implement {@code kind} too
+   * @param id the module's identity, its service ID in the lookup service
+   * @param identification who the module is
+   */
+  protected ModuleProxy(
+      Class<M> kind, RemoteModule server, UUID id, Identification identification) {
+    if (!kind.isInstance(server)) {
+      throw new IllegalArgumentException(
+          "the server of "
+              + identification.path()
+              + " is no "
+              + kind.getSimpleName()
+              + "; name in the module's properties a proxy class that fits the server class");
+    }
+    this.kind = kind;
+    this.server = server;
+    this.id = id;
+    this.identification = identification;
+  }
+
+  /** Whom to call: the implementation where it lives here, the server elsewhere. */
+  protected final M target() {
+    @Nullable Module local = LocalModules.find(id);
+    return kind.cast(local != null ? local : server);
+  }
+
+  @Override
+  public final Identification identification() {
+    return identification;
+  }
+
+  @Override
+  public final Readiness readiness() throws RemoteException {
+    return target().readiness();
+  }
+
+  @Override
+  public final Readiness awaitReadiness(Duration patience) throws RemoteException {
+    long end = System.nanoTime() + patience.toNanos();
+    while (true) {
+      Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
+      Readiness readiness = target().awaitReadiness(left);
+      if (readiness.serves() || readiness.isHopeless() || System.nanoTime() - end >= 0) {
+        return readiness;
+      }
+    }
+  }
+
+  /** The module's identity, its service ID in the lookup service. */
+  public final UUID id() {
+    return id;
+  }
+
+  /** The server's remote proxy, for what only remote clients need, such as leases. */
+  public final RemoteModule server() {
+    return server;
+  }
+
+  @Override
+  public final boolean equals(@Nullable Object other) {
+    return other instanceof ModuleProxy<?> proxy && proxy.id.equals(id);
+  }
+
+  @Override
+  public final int hashCode() {
+    return id.hashCode();
+  }
+
+  @Override
+  public final String toString() {
+    return identification.path() + " (" + getClass().getSimpleName() + ")";
+  }
+
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    if (kind == null || id == null || identification == null || !kind.isInstance(server)) {
+      throw new InvalidObjectException("a module proxy without kind, server, identity or name");
+    }
+  }
+}

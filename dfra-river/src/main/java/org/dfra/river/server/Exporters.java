@@ -1,0 +1,46 @@
+package org.dfra.river.server;
+
+import java.rmi.activation.ActivationID;
+import net.jini.export.Exporter;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.ResurrectingExporter;
+
+/**
+ * Exporters for module servers, to be named in a module's Jini configuration:
+ *
+ * <pre>
+ *   org.dfra.river.server {
+ *       serverExporter = Exporters.jeri((ServerSettings) $data, 2000L);
+ *   }
+ * </pre>
+ */
+public final class Exporters {
+
+  private Exporters() {}
+
+  /**
+   * JERI over TCP on a port of the system's choice; calls have a deadline, and the proxy brings the
+   * server back when it is dead.
+   *
+   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   */
+  public static Exporter jeri(ServerSettings settings, long deadlineMillis) {
+    return new ResurrectingExporter(settings.id(), jeri(settings.host(), deadlineMillis));
+  }
+
+  /** The same for an object that is not activatable. */
+  public static Exporter jeri(String host, long deadlineMillis) {
+    return new BasicJeriExporter(
+        Endpoints.tcp(host, 0), new DeadlineILFactory(deadlineMillis), false, true);
+  }
+
+  /**
+   * What a module's Jini configuration gets as {@code $data}.
+   *
+   * @param id the server's activation ID
+   * @param host address or name that its proxies carry
+   */
+  public record ServerSettings(ActivationID id, String host) {}
+}

@@ -1,0 +1,30 @@
+package org.dfra.river.server;
+
+import java.io.Serializable;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.core.config.ModuleDescription;
+
+/**
+ * What a module's server is activated with. The activation system keeps it, so a resurrected module
+ * is the same as before, down to its service ID.
+ *
+ * @param module the module's description
+ * @param id the module's identity, its service ID in every lookup service
+ * @param host address or name that the module's proxies carry
+ * @param lookupGroups discovery groups whose lookup services it joins; none if empty
+ * @param locators lookup services it joins by unicast, {@code jini://host:port} each
+ */
+public record ModuleActivation(
+    ModuleDescription module,
+    UUID id,
+    String host,
+    List<String> lookupGroups,
+    List<String> locators)
+    implements Serializable {
+
+  public ModuleActivation {
+    lookupGroups = List.copyOf(lookupGroups);
+    locators = List.copyOf(locators);
+  }
+}

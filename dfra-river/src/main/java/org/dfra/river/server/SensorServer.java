@@ -1,0 +1,27 @@
+package org.dfra.river.server;
+
+import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationID;
+import org.dfra.flow.sensor.Sensor;
+import org.dfra.river.remote.RemoteSensor;
+
+/**
+ * Activatable server of a sensor.
+ *
+ * @param <S> the sensor's interface
+ */
+public abstract class SensorServer<S extends Sensor> extends ModuleServer<S>
+    implements RemoteSensor {
+
+  /** See {@link ModuleServer#ModuleServer}. */
+  protected SensorServer(Class<S> kind, ActivationID id, MarshalledObject<ModuleActivation> data)
+      throws Exception {
+    super(kind, id, data);
+  }
+
+  @Override
+  public final double updateRate() throws RemoteException {
+    return module().updateRate();
+  }
+}

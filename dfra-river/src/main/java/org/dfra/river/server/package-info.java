@@ -1,0 +1,16 @@
+/**
+ * Module servers: what the activation system makes. The fourth of the five classes.
+ *
+ * <pre>
+ *   (ActivationID, MarshalledObject) --&gt; ModuleServer
+ *        1 constructed   2 properties read   3 driver class loaded   4 proxy made
+ *        5 discovery and join   6 landlord started
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.river.server.ModuleServer}; {@link org.dfra.river.server.GPSServer}
+ * shows how little a kind of module adds.
+ */
+@NullMarked
+package org.dfra.river.server;
+
+import org.jspecify.annotations.NullMarked;
