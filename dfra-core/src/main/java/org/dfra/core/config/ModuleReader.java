@@ -29,7 +29,9 @@ final class ModuleReader {
     this.faults = faults;
     this.name = values.name(element);
     this.label = name == null ? "module" : "module " + name;
-    Path path = existing("properties", values.attribute(element, "properties"), file);
+    Path path =
+        existing(
+            "properties", values.attribute(element, "properties"), file, values.place(element));
     this.reader = path == null ? null : new PropertiesReader(path, substitution, faults);
     this.properties = reader == null ? new ModuleProperties(file, Map.of()) : reader.read();
   }
@@ -92,9 +94,9 @@ final class ModuleReader {
         + " has no "
         + key
         + "; write "
-        + key
-        + "=<class name> in "
-        + (reader == null ? "a properties file and name that here" : properties.source());
+        + (reader == null
+            ? key + "=\"<class name>\" in it, or name properties that hold it"
+            : key + "=<class name> in " + properties.source());
   }
 
   /** Whether the properties hold a key, or might if they could be read. */
@@ -106,39 +108,32 @@ final class ModuleReader {
 
   private @Nullable String configuration() {
     String key = ModuleProperties.CONFIGURATION;
-    Path path =
-        element.getAttributeValue(key) != null
-            ? existing(key, values.attribute(element, key), file)
-            : existing(
-                key,
-                properties.find(key).map(Parameters.Value::text).orElse(null),
-                properties.source());
+    Optional<Parameters.Value> inProperties = properties.find(key);
+    Path path = null;
+    if (element.getAttributeValue(key) != null) {
+      path = existing(key, values.attribute(element, key), file, values.place(element));
+    } else if (inProperties.isPresent()) {
+      Parameters.Value value = inProperties.get();
+      path = existing(key, value.text(), properties.source(), value.place());
+    }
     return path == null ? null : path.toAbsolutePath().normalize().toString();
   }
 
   /** A file named relative to another one; null if it is not named or, a fault, not there. */
-  private @Nullable Path existing(String what, @Nullable String text, Path relativeTo) {
+  private @Nullable Path existing(String what, @Nullable String text, Path base, Place place) {
     if (text == null) {
       return null;
     }
     try {
-      Path path = relativeTo.resolveSibling(text).normalize();
+      Path path = base.resolveSibling(text).normalize();
       if (Files.isRegularFile(path)) {
         return path;
       }
     } catch (InvalidPathException e) {
       // no path at all is no file either
     }
-    values.check(
-        element,
-        "the "
-            + what
-            + " file \""
-            + text
-            + "\" of "
-            + label
-            + " does not exist; name one, relative to "
-            + relativeTo);
+    String named = "the " + what + " file \"" + text + "\" of " + label;
+    faults.add(place, named + " does not exist; name one, relative to " + base);
     return null;
   }
 

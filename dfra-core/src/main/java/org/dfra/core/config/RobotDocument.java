@@ -2,6 +2,7 @@ package org.dfra.core.config;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.Locale;
 import org.jdom2.Element;
 import org.jdom2.JDOMException;
 import org.jdom2.Namespace;
@@ -27,6 +28,7 @@ final class RobotDocument {
     // Without a document type there is no entity, so nothing outside of the text is ever read.
     builder.setFeature(NO_DOCTYPE, true);
     builder.setExpandEntities(false);
+    builder.setProperty(RobotSchema.LOCALE, Locale.ROOT);
     try {
       Element root = builder.build(new ByteArrayInputStream(text)).getRootElement();
       requireRobot(root, whole);
@@ -65,6 +67,8 @@ final class RobotDocument {
     String message = String.valueOf(cause.getMessage());
     return message.contains(NO_DOCTYPE)
         ? "a document type is not allowed, since it could name files elsewhere; delete <!DOCTYPE …>"
-        : "the XML is not well-formed (" + message + "); correct it here or just above";
+        : "the XML is not well-formed ("
+            + message.replaceFirst("\\.$", "")
+            + "); correct it here or just above";
   }
 }

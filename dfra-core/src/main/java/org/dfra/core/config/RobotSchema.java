@@ -28,7 +28,9 @@ final class RobotSchema {
   /** The namespace of a robot's XML. */
   static final Namespace NAMESPACE = Namespace.getNamespace("urn:dfra:robot:1");
 
-  private static final String LOCALE = "http://apache.org/xml/properties/locale";
+  /** The JDK's parsers and validators take the language of their messages from it. */
+  static final String LOCALE = "http://apache.org/xml/properties/locale";
+
   private static final Namespace XS = Namespace.getNamespace(XMLConstants.W3C_XML_SCHEMA_NS_URI);
   private static final RobotSchema INSTANCE = load();
 
@@ -40,7 +42,10 @@ final class RobotSchema {
     this.attributes = attributes;
   }
 
-  /** Notes where a well-formed document departs from the schema, in plain sentences. */
+  /**
+   * Notes where a well-formed document departs from the schema, in plain sentences. Of several
+   * unknown elements in one element the JDK's validator reports the first.
+   */
   static void validate(byte[] document, Place whole, Faults faults) {
     Validator validator = INSTANCE.schema.newValidator();
     try {

@@ -77,9 +77,7 @@ final class SchemaSentence {
         + element
         + ">"
         + NearestName.hint(
-            name,
-            known,
-            known.isEmpty() ? "; delete it" : "; write one of " + String.join(", ", known));
+            name, known, known.isEmpty() ? "; delete it" : "; write " + String.join(" or ", known));
   }
 
   /** The name, or the names between commas, without their namespaces. */

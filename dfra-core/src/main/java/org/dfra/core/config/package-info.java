@@ -1,7 +1,18 @@
 /**
  * How a robot is written down: its XML, the properties of its modules, their parameters.
  *
- * <p>Enter at {@link org.dfra.core.config.Parameters} for a driver's view.
+ * <pre>
+ *   robot.xml --RobotXml.read--&gt; RobotDescription
+ *      |                           GroupDescription, one JVM each
+ *      v                             RegistrarDescription, one per robot at most
+ *   module.properties                ModuleDescription --&gt; the activation log
+ *                                      Parameters --&gt; the driver
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.core.config.RobotXml}, or at {@link org.dfra.core.config.Parameters}
+ * for a driver's view. Whatever cannot be used ends in a {@link
+ * org.dfra.core.config.ConfigurationException} that names all of it, a line each: file and line,
+ * what is wrong, what to do. The reference for users is {@code docs/reference/robot-xml.md}.
  */
 @NullMarked
 package org.dfra.core.config;

@@ -1,0 +1,66 @@
+package org.dfra.core.config;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class RobotRoundTripTest {
+
+  @TempDir Path temp;
+
+  @Test
+  void whatIsWrittenReadsBackEqual() throws IOException {
+    RobotFolder folder = new RobotFolder(temp);
+    folder.write("module.config", "");
+    folder
+        .properties(
+            RobotFolder.CLASSES
+                + "configuration=module.config\n"
+                + "parameter.odd=\\ a\\tb\\nc\\rd $$ ${HOST} <>&\\\"' caf\u00e9 \\uD83D\\uDE80 \n")
+        .xml(
+            "<lookup groups=\"field,north\" locators=\"base,relay:4161\"/>",
+            "<group name=\"lookup\"><registrar port=\"4170\" restart=\"false\"/></group>",
+            "<group name=\"gps\"><jvm-option>-Da=b  c $$</jvm-option>",
+            "<jvm-option>-Xmx64m</jvm-option>",
+            "<module name=\"front\" properties=\"gps.properties\" restart=\"false\">",
+            "<parameter name=\"link\" value=\"${HOST}\"/></module>",
+            "<module name=\"rear\" properties=\"gps.properties\"/></group>",
+            "<group name=\"empty\"/>");
+    folder.variables.put("HOST", "$$ {} ${A:-b}");
+    RobotDescription robot = folder.read();
+
+    Path dump = folder.path("dump.xml");
+    RobotXml.write(robot, dump);
+    RobotDescription again = RobotXml.read(dump, name -> null);
+
+    assertThat(again)
+        .usingRecursiveComparison()
+        .ignoringFields("source")
+        .ignoringFieldsOfTypes(Place.class)
+        .isEqualTo(robot);
+    assertThat(robot.modules().get(0).parameters().text("odd"))
+        .as("the odd characters got as far as the dump")
+        .isEqualTo(" a\tb\nc\rd $ $$ {} ${A:-b} <>&\"' café \uD83D\uDE80 ");
+    assertThat(RobotXml.text(again)).isEqualTo(RobotXml.text(robot));
+  }
+
+  @Test
+  void whatXmlCannotWriteIsRefusedByName() {
+    RobotDescription robot =
+        new RobotFolder(temp)
+            .properties(RobotFolder.CLASSES + "parameter.wake=\\u0007")
+            .module()
+            .read();
+
+    assertThatThrownBy(() -> RobotXml.text(robot))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            temp.resolve("gps.properties")
+                + ":4: parameter wake of atrv1/gps_front holds a character that XML cannot write;"
+                + " leave it out");
+  }
+}
