@@ -152,8 +152,7 @@ class ActivatableTest {
   @Test
   void callThatMayHaveRunIsNotRepeated() throws Exception {
     ActivationID id = registered();
-    Bulb bulb = keep(new Bulb("bulb"));
-    // Wrapped by JRMP: the exception came from inside the call, so the call ran.
+    // JRMP wraps an exception from inside the call, so the call ran.
     LampImpl impl = keep(new LampImpl(id, "left"));
     daemon.live = new MarshalledObject<>(impl);
     Lamp lamp =
@@ -162,7 +161,6 @@ class ActivatableTest {
 
     assertThatExceptionOfType(ServerException.class).isThrownBy(lamp::broken);
     assertThat(daemon.told).containsExactly("activate false");
-    assertThat(bulb.name()).isEqualTo("bulb");
   }
 
   @Test
@@ -201,7 +199,6 @@ class ActivatableTest {
 
   @Test
   void proxyAnsweredByTheDaemonMayItselfBeActivatable() throws Exception {
-    daemon.live = null;
     UnicastRemoteObject.exportObject(keep(daemon), 0, sockets, sockets);
     ActivationID id = registered();
     Remote proxy = Activatable.exportObject(keep(new Bulb("bulb")), id, 0, sockets, sockets);

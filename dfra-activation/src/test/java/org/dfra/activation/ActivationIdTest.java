@@ -142,21 +142,17 @@ class ActivationIdTest {
   @Test
   void activatorExportedInThisJvmIsWrittenAsItsStub() throws Exception {
     Activator stub = (Activator) UnicastRemoteObject.exportObject(activator, 0, sockets, sockets);
-    ActivationID read = (ActivationID) Streams.roundTrip(new ActivationID(activator));
-    ActivationID again = (ActivationID) Streams.roundTrip(read);
 
-    assertThat(stub).isNotNull();
-    assertThat(again).isEqualTo(read);
+    assertThat(asOlderPeer(new ActivationID(activator)))
+        .usingRecursiveComparison()
+        .ignoringFields("uid")
+        .isEqualTo(asOlderPeer(new ActivationID(stub)));
   }
 
   @Test
   void olderPeerReadsWhatIsWritten() throws Exception {
     Activator stub = (Activator) UnicastRemoteObject.exportObject(activator, 0, sockets, sockets);
-    var read =
-        (org.dfra.activation.oldpeer.ActivationID)
-            Streams.readAs(
-                Streams.write(new ActivationID(stub)),
-                Map.of(NAME, org.dfra.activation.oldpeer.ActivationID.class));
+    var read = asOlderPeer(new ActivationID(stub));
 
     assertThat(read.uid).isNotNull();
     assertThat(read.refClass).isEqualTo("UnicastRef2");
@@ -174,13 +170,8 @@ class ActivationIdTest {
       old.format = 1;
       old.factory = sockets;
     }
-    ActivationID read = (ActivationID) Streams.readAs(asOurs(Streams.write(old)), Map.of());
-    var back =
-        (org.dfra.activation.oldpeer.ActivationID)
-            Streams.readAs(
-                Streams.write(read), Map.of(NAME, org.dfra.activation.oldpeer.ActivationID.class));
-
-    assertThat(back).usingRecursiveComparison().isEqualTo(old);
+    ActivationID read = (ActivationID) Streams.read(asOurs(Streams.write(old)));
+    assertThat(asOlderPeer(read)).usingRecursiveComparison().isEqualTo(old);
   }
 
   @Test
@@ -237,6 +228,13 @@ class ActivationIdTest {
     old.port = 9;
     old.object = new ObjID(ObjID.ACTIVATOR_ID);
     return old;
+  }
+
+  private static org.dfra.activation.oldpeer.ActivationID asOlderPeer(ActivationID id)
+      throws Exception {
+    return (org.dfra.activation.oldpeer.ActivationID)
+        Streams.readAs(
+            Streams.write(id), Map.of(NAME, org.dfra.activation.oldpeer.ActivationID.class));
   }
 
   /** The same stream under the name of the real class. */

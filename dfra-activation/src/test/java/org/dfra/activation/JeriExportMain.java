@@ -31,7 +31,8 @@ public final class JeriExportMain {
     }
   }
 
-  private static final class OnLoopback extends ServerSocketFactory {
+  /** Server sockets on the loopback address. */
+  static final class OnLoopback extends ServerSocketFactory {
     @Override
     public ServerSocket createServerSocket(int port) throws IOException {
       return createServerSocket(port, 50);
