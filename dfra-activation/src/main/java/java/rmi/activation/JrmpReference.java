@@ -100,7 +100,7 @@ final class JrmpReference {
           }
           out.writeUTF(host);
           out.writeInt(port);
-          if (factory != null) {
+          if (format == 1) {
             out.writeObject(new Placeholder());
           }
           id.write(out);
