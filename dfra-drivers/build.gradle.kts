@@ -1,0 +1,7 @@
+dependencies {
+    api(project(":dfra-core"))
+    api(rootProject.libs.slf4j.api)
+    implementation(rootProject.libs.jSerialComm)
+    testImplementation(rootProject.libs.jackson.databind)
+    testImplementation(rootProject.libs.logback.classic)
+}

@@ -1,0 +1,9 @@
+package org.dfra.drivers.gps.m12;
+
+/** What a receiver said, decoded from one intact frame. */
+public sealed interface M12Message
+    permits M12PositionMessage, ReceiverIdentification, OtherMessage, MalformedMessage {
+
+  /** The frame's ID: two letters, such as {@code Ha}. */
+  String id();
+}

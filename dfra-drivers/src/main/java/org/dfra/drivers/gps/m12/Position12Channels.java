@@ -1,0 +1,87 @@
+package org.dfra.drivers.gps.m12;
+
+import java.time.Instant;
+import java.util.List;
+import org.dfra.flow.sensor.GpsFix;
+
+/**
+ * {@code @@Ha}: position, status and data of a twelve-channel receiver. Source: Motorola Oncore
+ * M12+ user's guide.
+ *
+ * @param time date and time of the solution; see {@code utcState} for its scale
+ * @param position the position, filtered where the receiver is set to filter
+ * @param unfiltered the position of this solution alone
+ * @param speed3d speed in space, metres per second
+ * @param groundSpeed speed over ground (2-D), metres per second
+ * @param heading direction of travel, degrees, 0 to 360, 0 is true north, clockwise is +
+ * @param dilution PDOP for a 3-D fix, HDOP for a 2-D one, 0 in position hold
+ * @param visible satellites above the horizon by the almanac; may exceed 12
+ * @param tracked satellites locked on, 0 to 12
+ * @param channels the twelve channels
+ * @param status what the receiver does
+ * @param clockBias error of the receiver's clock, nanoseconds
+ * @param oscillatorOffset the oscillator's frequency, hertz above the nominal one
+ * @param temperature of the oscillator, degrees Celsius
+ * @param utcState what the receiver knows of UTC
+ * @param localOffset offset of local time from UTC in minutes, + is east; told, not applied
+ * @param idTag the six letters stored in the receiver for its owner
+ */
+public record Position12Channels(
+    M12Time time,
+    M12Position position,
+    M12Position unfiltered,
+    double speed3d,
+    double groundSpeed,
+    double heading,
+    double dilution,
+    int visible,
+    int tracked,
+    List<SatelliteChannel> channels,
+    ReceiverStatus status,
+    int clockBias,
+    long oscillatorOffset,
+    double temperature,
+    UtcState utcState,
+    int localOffset,
+    String idTag)
+    implements M12PositionMessage {
+
+  public Position12Channels {
+    channels = List.copyOf(channels);
+  }
+
+  @Override
+  public String id() {
+    return "Ha";
+  }
+
+  @Override
+  public GpsFix.Mode mode() {
+    return switch (status.state()) {
+      case FIX_3D -> GpsFix.Mode.FIX_3D;
+      case FIX_2D -> GpsFix.Mode.FIX_2D;
+      case POSITION_HOLD -> GpsFix.Mode.POSITION_HOLD;
+      case RESERVED_0, RESERVED_1, BAD_GEOMETRY, ACQUIRING, PROPAGATE -> GpsFix.Mode.NONE;
+    };
+  }
+
+  @Override
+  public String stateInWords() {
+    String state = status.state().inWords() + ", " + tracked + " of " + visible + " tracked";
+    return status.antenna() == ReceiverStatus.Antenna.OK
+        ? state
+        : state + ", antenna " + status.antenna();
+  }
+
+  /** {@inheritDoc} Where the receiver tells GPS time and knows the offset, it is converted. */
+  @Override
+  public Instant utc() {
+    Instant told = time.toInstant();
+    return utcState.isUtc() || !utcState.isKnown() ? told : told.minusSeconds(utcState.offset());
+  }
+
+  @Override
+  public boolean knowsUtc() {
+    return utcState.isKnown();
+  }
+}

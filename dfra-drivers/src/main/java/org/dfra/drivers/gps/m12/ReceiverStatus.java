@@ -1,0 +1,114 @@
+package org.dfra.drivers.gps.m12;
+
+/**
+ * The receiver status word of the twelve-channel messages.
+ *
+ * @param bits the word as it came, 16 bits
+ */
+public record ReceiverStatus(int bits) {
+
+  /** What the receiver does, bits 15 to 13. */
+  public enum State {
+    /** Not used by the protocol. */
+    RESERVED_0("in a state the protocol does not name"),
+    /** Not used by the protocol. */
+    RESERVED_1("in a state the protocol does not name"),
+    /** The satellites stand too close together for a position. */
+    BAD_GEOMETRY("tracking satellites that stand too close together"),
+    /** Looking for satellites. */
+    ACQUIRING("acquiring satellites"),
+    /** The position is held and only time is solved for. */
+    POSITION_HOLD("holding its position"),
+    /** The position is an extrapolation of the last one. */
+    PROPAGATE("propagating its last position"),
+    /** Latitude and longitude are solved for. */
+    FIX_2D("giving a 2-D fix"),
+    /** Latitude, longitude and height are solved for. */
+    FIX_3D("giving a 3-D fix");
+
+    private static final State[] BY_BITS = values();
+
+    private final String words;
+
+    State(String words) {
+      this.words = words;
+    }
+
+    /** The state as the rest of the sentence "the receiver is …". */
+    public String inWords() {
+      return words;
+    }
+  }
+
+  /** What is known of the antenna, bits 2 and 1. */
+  public enum Antenna {
+    /** Connected and drawing the right current. */
+    OK,
+    /** Drawing too much current: a short circuit. */
+    OVER_CURRENT,
+    /** Drawing too little current: not connected, or a passive one. */
+    UNDER_CURRENT,
+    /** The receiver has no voltage to give it. */
+    NO_VOLTAGE;
+
+    private static final Antenna[] BY_BITS = values();
+
+    static Antenna of(int bits) {
+      return BY_BITS[bits & 3];
+    }
+  }
+
+  /** What the receiver does. */
+  public State state() {
+    return State.BY_BITS[bits >> 13 & 7];
+  }
+
+  /** What is known of the antenna. */
+  public Antenna antenna() {
+    return Antenna.of(bits >> 1);
+  }
+
+  /** Bit 10: tracking with narrow bandwidth. */
+  public boolean narrowBand() {
+    return bit(10);
+  }
+
+  /** Bit 9: acquiring by the fast method. */
+  public boolean fastAcquisition() {
+    return bit(9);
+  }
+
+  /** Bit 8: the position filter was reset to the raw solution. */
+  public boolean filterReset() {
+    return bit(8);
+  }
+
+  /** Bit 7: started without almanac, time or position. */
+  public boolean coldStart() {
+    return bit(7);
+  }
+
+  /** Bit 6: the fix is differential. */
+  public boolean differential() {
+    return bit(6);
+  }
+
+  /** Bit 5: the position is locked. */
+  public boolean positionLock() {
+    return bit(5);
+  }
+
+  /** Bit 4: surveying its own position. */
+  public boolean autosurvey() {
+    return bit(4);
+  }
+
+  /** Bit 3: too few satellites are visible. */
+  public boolean tooFewSatellites() {
+    return bit(3);
+  }
+
+  private boolean bit(int number) {
+    return (bits >> number & 1) != 0;
+  }
+}

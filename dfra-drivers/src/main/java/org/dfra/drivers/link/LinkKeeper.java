@@ -1,0 +1,197 @@
+package org.dfra.drivers.link;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * Keeps a link open: opens it, reads it, and opens it again when it is lost, waiting longer and
+ * longer while that is in vain.
+ *
+ * <p>Owns one thread, the reader. {@link #start} starts it; it owns the link and calls the {@link
+ * LinkUser}; {@link #close} stops it and returns when it has ended. Both do nothing the second
+ * time, and a keeper closed before it was started never starts.
+ *
+ * <p>Logs changes, not tries: once when the device answers, once for each new reason why it does
+ * not.
+ */
+public final class LinkKeeper implements AutoCloseable {
+
+  /** Opens the link. */
+  @FunctionalInterface
+  public interface Source {
+
+    /**
+     * Opens it; may block for a few seconds, and ends soon when its thread is interrupted.
+     *
+     * @throws IOException if it cannot be opened
+     */
+    SerialLink open() throws IOException;
+  }
+
+  private static final Duration READ_TIMEOUT = Duration.ofMillis(100);
+  private static final Duration LONGEST_END = Duration.ofSeconds(5);
+  private static final int BUFFER_BYTES = 4096;
+
+  private final Source source;
+  private final LinkUser user;
+  private final BackOff backOff;
+  private final Ticker ticker;
+  private final Logger log;
+  private final Thread reader;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition closing = lock.newCondition();
+  private boolean started; // guarded by lock
+  private @Nullable SerialLink link; // guarded by lock
+  private volatile boolean closed;
+
+  // confined to the reader
+  private int failures;
+  private @Nullable String logged = "";
+
+  /**
+   * @param name whose link it is; the thread is called {@code name reader}
+   * @param source opens the link
+   * @param user what to do with it
+   * @param backOff how long to wait between tries
+   * @param ticker the time to wait by
+   * @param log where changes are told
+   */
+  public LinkKeeper(
+      String name, Source source, LinkUser user, BackOff backOff, Ticker ticker, Logger log) {
+    this.source = source;
+    this.user = user;
+    this.backOff = backOff;
+    this.ticker = ticker;
+    this.log = log;
+    this.reader = new Thread(this::run, name + " reader");
+    this.reader.setDaemon(true);
+  }
+
+  /** Starts the reader and returns at once. */
+  public void start() {
+    lock.lock();
+    try {
+      if (!started && !closed) {
+        started = true;
+        reader.start();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    lock.lock();
+    try {
+      closed = true;
+      closing.signalAll();
+      if (link != null) {
+        link.close();
+      }
+      if (!started || Thread.currentThread() == reader) {
+        return;
+      }
+    } finally {
+      lock.unlock();
+    }
+    reader.interrupt(); // it may be connecting
+    try {
+      reader.join(LONGEST_END.toMillis());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (reader.isAlive()) {
+      log.warn("{} has not ended within {} s and is left behind", reader.getName(), LONGEST_END);
+    }
+  }
+
+  private void run() {
+    while (!closed) {
+      boolean unused = Thread.interrupted(); // one left over would close every new connection
+      String reason;
+      try (SerialLink opened = source.open()) {
+        reason = adopt(opened) ? serve(opened) : "closed";
+      } catch (IOException e) {
+        reason = String.valueOf(e.getMessage());
+      } catch (RuntimeException e) {
+        log.error("the driver failed, its link is opened again: {}", e.toString(), e);
+        reason = "the driver failed: " + e;
+      }
+      adopt(null);
+      if (!closed) {
+        lose(reason);
+      }
+    }
+  }
+
+  /** Makes {@code opened} the link that {@link #close} closes; false when it is too late. */
+  private boolean adopt(@Nullable SerialLink opened) {
+    lock.lock();
+    try {
+      link = opened;
+      return !closed;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Reads until the link is lost or the user gives it up; returns why. */
+  private String serve(SerialLink opened) throws IOException {
+    user.opened(opened);
+    byte[] buffer = new byte[BUFFER_BYTES];
+    while (!closed) {
+      int count = opened.read(buffer, 0, buffer.length, READ_TIMEOUT);
+      if (count < 0) {
+        return opened + ": the device is lost";
+      }
+      if (count > 0 && user.received(buffer, count)) {
+        answered(opened);
+      }
+      String complaint = user.tend(opened);
+      if (complaint != null) {
+        return opened + ": " + complaint;
+      }
+    }
+    return "closed";
+  }
+
+  private void answered(SerialLink opened) {
+    failures = 0;
+    if (logged != null) {
+      logged = null;
+      log.info("{}: the device answers", opened);
+    }
+  }
+
+  private void lose(String reason) {
+    if (!reason.equals(logged)) {
+      logged = reason;
+      log.warn("{}; trying again until it answers", reason);
+    }
+    failures++;
+    user.lost(reason);
+    pause(backOff.after(failures).toNanos());
+  }
+
+  private void pause(long nanos) {
+    lock.lock();
+    try {
+      long begin = ticker.nanos();
+      long left = nanos;
+      while (!closed && left > 0) {
+        ticker.await(closing, left);
+        left = nanos - (ticker.nanos() - begin);
+      }
+    } catch (InterruptedException e) {
+      // closed is set, or somebody else wants us to go on
+    } finally {
+      lock.unlock();
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package org.dfra.drivers.link;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.time.Duration;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/** Plays a recording. A byte is there when its last bit would be; the first read begins to play. */
+final class ReplayLink implements SerialLink {
+
+  private static final double BIT_NANOS_PER_BYTE = 10e9;
+
+  private final ReplayAddress address;
+  private final Ticker ticker;
+  private final double nanosPerByte;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition closed = lock.newCondition();
+  // all guarded by lock
+  private final RandomAccessFile file;
+  private boolean open = true;
+  private boolean begun;
+  private long beginNanos;
+  private long played;
+
+  ReplayLink(ReplayAddress address, Ticker ticker) throws IOException {
+    this.address = address;
+    this.ticker = ticker;
+    this.nanosPerByte =
+        address.pace() == 0 ? 0 : BIT_NANOS_PER_BYTE / (address.baud() * address.pace());
+    this.file = new RandomAccessFile(address.file().toFile(), "r");
+  }
+
+  @Override
+  public int read(byte[] buffer, int offset, int length, Duration timeout) {
+    lock.lock();
+    try {
+      long entered = ticker.nanos();
+      if (!begun) {
+        begun = true;
+        beginNanos = entered;
+      }
+      while (open) {
+        long now = ticker.nanos();
+        int due = (int) Math.min(length, dueAt(now));
+        if (due > 0) {
+          return take(buffer, offset, due);
+        }
+        long left = timeout.toNanos() - (now - entered);
+        if (left <= 0) {
+          return 0;
+        }
+        long next = beginNanos + (long) Math.ceil((played + 1) * nanosPerByte) - now;
+        ticker.await(closed, Math.min(left, Math.max(1, next)));
+      }
+      return -1;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return lose();
+    } catch (IOException e) {
+      return lose();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private long dueAt(long now) {
+    return nanosPerByte == 0
+        ? Long.MAX_VALUE
+        : (long) Math.floor((now - beginNanos) / nanosPerByte) - played;
+  }
+
+  private int take(byte[] buffer, int offset, int due) throws IOException {
+    int count = file.read(buffer, offset, due);
+    if (count < 0 && address.loop()) {
+      file.seek(0);
+      count = file.read(buffer, offset, due);
+    }
+    if (count < 0) {
+      return lose();
+    }
+    played += count;
+    return count;
+  }
+
+  private int lose() {
+    close();
+    return -1;
+  }
+
+  @Override
+  public void write(byte[] bytes) throws IOException {
+    if (!isOpen()) {
+      throw new IOException(address + ": the replay has ended");
+    }
+  }
+
+  @Override
+  public boolean isOpen() {
+    lock.lock();
+    try {
+      return open;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    lock.lock();
+    try {
+      open = false;
+      closed.signalAll();
+      file.close();
+    } catch (IOException e) {
+      // it was only read
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public String toString() {
+    return address.toString();
+  }
+}
