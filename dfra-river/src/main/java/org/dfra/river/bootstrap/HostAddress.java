@@ -27,6 +27,15 @@ public final class HostAddress {
     return wanted.equals(AUTO) ? choose() : check(wanted);
   }
 
+  /** Whether a resolved host can be reached from this machine only. */
+  public static boolean isLoopback(String host) {
+    try {
+      return InetAddress.getByName(host).isLoopbackAddress();
+    } catch (UnknownHostException e) {
+      return false;
+    }
+  }
+
   private static String choose() {
     try {
       Optional<String> found =

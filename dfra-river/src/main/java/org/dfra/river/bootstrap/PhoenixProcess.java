@@ -89,6 +89,22 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     return process;
   }
 
+  /**
+   * Ends phoenix and every group, and waits until it does not answer any more.
+   *
+   * @throws IOException if it refuses or does not end in time
+   */
+  public void shutdown(Duration patience) throws IOException {
+    system().shutdown();
+    long end = System.nanoTime() + patience.toNanos();
+    while (answers()) {
+      if (System.nanoTime() - end > 0) {
+        throw new IOException("phoenix did not end within " + patience.toSeconds() + " s");
+      }
+      LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
+    }
+  }
+
   private String lastWords() throws IOException {
     List<String> lines = Files.readAllLines(log());
     @Nullable String error =

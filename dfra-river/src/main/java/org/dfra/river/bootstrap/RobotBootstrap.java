@@ -72,7 +72,7 @@ public final class RobotBootstrap {
       for (ModuleDescription module : group.modules()) {
         services.add(
             activate(
-                loader.module(groupId, group, module, host, locators(), robot.lookupGroups())));
+                loader.module(groupId, group, module, host, locators(), multicastGroups())));
       }
     }
     return services;
@@ -102,7 +102,7 @@ public final class RobotBootstrap {
         "persistenceDirectory",
         PhoenixProcess.quote(folder.resolve(robot.name()).toString()));
     override(arguments, "initialMemberGroups", array(robot.lookupGroups()));
-    if (robot.lookupGroups().isEmpty()) {
+    if (multicastGroups().isEmpty()) {
       override(arguments, "multicastInterfaces", "new java.net.NetworkInterface[0]");
     }
     return loader.registrar(
@@ -119,6 +119,11 @@ public final class RobotBootstrap {
         .filter(own -> !locators.contains(own))
         .ifPresent(locators::add);
     return locators;
+  }
+
+  /** None where the robot is on the loopback: nobody elsewhere could reach what was announced. */
+  private List<String> multicastGroups() {
+    return HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups();
   }
 
   private static void override(List<String> arguments, String entry, String expression) {

@@ -1,0 +1,41 @@
+package org.dfra.app;
+
+import org.dfra.app.demo.DemoCommand;
+import org.slf4j.bridge.SLF4JBridgeHandler;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ScopeType;
+
+/** The command line {@code ./dfra}. */
+@Command(
+    name = "dfra",
+    description = "The Distributed Field Robot Architecture.",
+    version = "dfra 0.1.0",
+    mixinStandardHelpOptions = true,
+    scope = ScopeType.INHERIT,
+    synopsisSubcommandLabel = "VERB",
+    commandListHeading = "%nVerbs:%n",
+    subcommands = {DemoCommand.class, RobotCommand.class, CommandLine.HelpCommand.class},
+    footer = {
+      "",
+      "Also, by the script itself:",
+      "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
+    })
+public final class Main {
+
+  private Main() {}
+
+  /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
+  public static void main(String[] args) {
+    SLF4JBridgeHandler.removeHandlersForRootLogger();
+    SLF4JBridgeHandler.install();
+    System.exit(commandLine().execute(args));
+  }
+
+  /** The command line, for those who ask it about itself. */
+  static CommandLine commandLine() {
+    CommandLine line = new CommandLine(new Main());
+    line.setExecutionExceptionHandler(new PlainFailure());
+    return line;
+  }
+}

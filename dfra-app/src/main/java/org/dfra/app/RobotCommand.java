@@ -1,0 +1,96 @@
+package org.dfra.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
+import java.time.Duration;
+import java.util.concurrent.Callable;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotXml;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.phoenix.GroupStatus;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra robot}: brings a robot's service groups up on this host, or takes phoenix down. */
+@Command(
+    name = "robot",
+    description = "Launches a robot's service groups on this host.",
+    footer = {
+      "",
+      "Phoenix is started where none answers, and stays when this command ends. Running it",
+      "again does no harm; --down ends phoenix and every group of this host.",
+    })
+final class RobotCommand implements Callable<Integer> {
+
+  private static final Duration PHOENIX_PATIENCE = Duration.ofSeconds(30);
+
+  @Parameters(
+      paramLabel = "ROBOT.XML",
+      arity = "0..1",
+      description = "The robot's description, e.g. config/robots/atrv1.xml.")
+  private Path xml = Path.of("config", "robots", "atrv1.xml");
+
+  @Option(names = "--down", description = "End phoenix and every group of this host.")
+  private boolean down;
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "TCP port of phoenix on this host (default ${DEFAULT-VALUE}).")
+  private int port = 1198;
+
+  @Option(
+      names = "--registry-port",
+      paramLabel = "PORT",
+      description =
+          "Port of phoenix's read-only RMI registry, -1 for none (default ${DEFAULT-VALUE}).")
+  private int registryPort = 1098;
+
+  @Option(
+      names = "--state",
+      paramLabel = "FOLDER",
+      description = "Where phoenix keeps its journal and logs (default ~/.dfra).")
+  private Path state = Path.of(System.getProperty("user.home"), ".dfra");
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException, ActivationException {
+    PrintWriter out = spec.commandLine().getOut();
+    PhoenixProcess phoenix =
+        new PhoenixProcess("localhost", port, registryPort, state.toAbsolutePath());
+    if (down) {
+      if (!phoenix.answers()) {
+        out.println("No phoenix answers on port " + port + "; nothing is up.");
+        return 0;
+      }
+      phoenix.shutdown(PHOENIX_PATIENCE);
+      out.println("Phoenix and its groups have ended.");
+      return 0;
+    }
+    RobotDescription robot = RobotXml.read(xml);
+    if (phoenix.answers()) {
+      out.println("Phoenix answers on port " + port + ".");
+    } else {
+      long pid = phoenix.start(PHOENIX_PATIENCE).pid();
+      out.println("Started phoenix: process " + pid + ", log " + phoenix.log() + ".");
+    }
+    out.flush();
+    for (RobotBootstrap.Service service : new RobotBootstrap(phoenix, robot).up()) {
+      out.println("Up: " + service.name() + " in group " + service.group() + ".");
+    }
+    for (GroupStatus group : phoenix.admin().groupStatus()) {
+      out.println(
+          "Group " + group.name() + ": process " + group.pid() + ", log " + group.output() + ".");
+    }
+    return 0;
+  }
+}

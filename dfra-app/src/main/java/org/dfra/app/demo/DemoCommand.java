@@ -1,0 +1,72 @@
+package org.dfra.app.demo;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra demo}: runs a demonstration, the newest one where none is named. */
+@Command(
+    name = "demo",
+    description = "Runs a demonstration with real processes on this machine.",
+    footer = {
+      "",
+      "Demonstrations, the newest first:",
+      "  foundation   a GPS receiver found by what it can do, and back after kill -9"
+    })
+public final class DemoCommand implements Callable<Integer> {
+
+  /** By name, the newest first. */
+  private static final Map<String, Demo> DEMOS = new LinkedHashMap<>();
+
+  static {
+    DEMOS.put("foundation", FoundationDemo::new);
+  }
+
+  /** How a demonstration is made. */
+  private interface Demo {
+    FoundationDemo with(Narration narration);
+  }
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "NAME",
+      description = "Which one; without it, the newest.")
+  private @Nullable String name;
+
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description = "Append the measured figures to this CSV file.")
+  private @Nullable Path record;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  @Override
+  public Integer call() throws Exception {
+    PrintWriter out = spec.commandLine().getOut();
+    String chosen = name == null ? DEMOS.keySet().iterator().next() : name;
+    Demo demo = DEMOS.get(chosen);
+    if (demo == null) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "there is no demonstration \"" + chosen + "\"; there is " + DEMOS.keySet());
+    }
+    Narration narration = new Narration(out, System::nanoTime);
+    boolean well = demo.with(narration).run();
+    if (well && record != null) {
+      narration.record(record, chosen);
+    }
+    return well ? 0 : 1;
+  }
+}
