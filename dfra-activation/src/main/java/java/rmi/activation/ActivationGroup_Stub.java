@@ -13,7 +13,7 @@ import java.rmi.server.RemoteRef;
  * <p>Older releases list it in their public API and exchange it by name, so it is kept; nobody
  * constructs it by hand.
  */
-@SuppressWarnings({"deprecation", "rawtypes"})
+@SuppressWarnings({"deprecation", "rawtypes", "unchecked"})
 public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
     implements ActivationInstantiator, Remote {
 
