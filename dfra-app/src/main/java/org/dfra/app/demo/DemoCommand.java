@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -25,15 +26,10 @@ import picocli.CommandLine.Spec;
 public final class DemoCommand implements Callable<Integer> {
 
   /** By name, the newest first. */
-  private static final Map<String, Demo> DEMOS = new LinkedHashMap<>();
+  private static final Map<String, Function<Narration, Demo>> DEMOS = new LinkedHashMap<>();
 
   static {
     DEMOS.put("foundation", FoundationDemo::new);
-  }
-
-  /** How a demonstration is made. */
-  private interface Demo {
-    FoundationDemo with(Narration narration);
   }
 
   @Parameters(
@@ -56,14 +52,14 @@ public final class DemoCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     PrintWriter out = spec.commandLine().getOut();
     String chosen = name == null ? DEMOS.keySet().iterator().next() : name;
-    Demo demo = DEMOS.get(chosen);
+    Function<Narration, Demo> demo = DEMOS.get(chosen);
     if (demo == null) {
       throw new ParameterException(
           spec.commandLine(),
           "there is no demonstration \"" + chosen + "\"; there is " + DEMOS.keySet());
     }
     Narration narration = new Narration(out, System::nanoTime);
-    boolean well = demo.with(narration).run();
+    boolean well = demo.apply(narration).run();
     if (well && record != null) {
       narration.record(record, chosen);
     }

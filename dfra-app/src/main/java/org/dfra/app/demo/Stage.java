@@ -11,12 +11,14 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dfra.river.bootstrap.JvmCommand;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.sim.device.M12EmulatorMain;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a demonstration stands on: a temporary folder, an emulated receiver, phoenix, and the
@@ -31,6 +33,7 @@ final class Stage implements AutoCloseable {
   private final Path folder;
   private final PhoenixProcess phoenix;
   private final List<ProcessHandle> started = new ArrayList<>();
+  private @Nullable ProcessHandle lastPhoenix;
   private boolean keepFolder;
 
   Stage() throws IOException {
@@ -81,7 +84,13 @@ final class Stage implements AutoCloseable {
   ProcessHandle startPhoenix() throws IOException {
     ProcessHandle process = phoenix.start(PATIENCE).toHandle();
     started.add(process);
+    lastPhoenix = process;
     return process;
+  }
+
+  /** The phoenix started last. */
+  ProcessHandle lastPhoenix() {
+    return Objects.requireNonNull(lastPhoenix, "phoenix was not started");
   }
 
   /** The status of the group whose name ends so. */

@@ -1,0 +1,316 @@
+package org.dfra.app.demo;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationSystem;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotXml;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.call.DeadlineExceededException;
+import org.dfra.river.phoenix.GroupStatus;
+
+/**
+ * The foundation: a receiver is found by what it can do, and neither the death of its virtual
+ * machine nor that of phoenix takes it away from its client.
+ */
+final class FoundationDemo implements Demo {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final int MANY = 1000;
+
+  private final Narration tell;
+  private String step = "";
+
+  FoundationDemo(Narration narration) {
+    this.tell = narration;
+  }
+
+  @Override
+  public boolean run() {
+    try (Stage stage = new Stage()) {
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(stage), "demo-end"));
+      try {
+        play(stage);
+        tell.table();
+        return true;
+      } catch (Exception e) {
+        stage.keepFolder();
+        tell.chapter("FAILED while " + step);
+        tell.say("%s", e.toString());
+        tell.say("The logs are in %s.", stage.folder());
+        return false;
+      }
+    } catch (IOException e) {
+      tell.say("The stage could not be cleared: %s", e);
+      return false;
+    }
+  }
+
+  private static void closeQuietly(Stage stage) {
+    try {
+      stage.close();
+    } catch (IOException e) {
+      System.err.println("dfra: " + e.getMessage());
+    }
+  }
+
+  private void play(Stage stage) throws Exception {
+    step("switching on the receiver", "A robot comes up");
+    String link = stage.startReceiver();
+    tell.say("An M12+ receiver is switched on at %s: an emulator, but of its real bytes.", link);
+
+    Narration.Stopwatch coldStart = tell.stopwatch();
+    String locator = bringUp(stage, link);
+
+    step("finding the receiver", "A client finds a receiver");
+    Narration.Stopwatch search = tell.stopwatch();
+    try (PositionClient client = PositionClient.find(locator, PATIENCE)) {
+      tell.say(
+          "A client that knows only the interface GPSSensor found %s through discovery and lookup"
+              + " in %s.",
+          client.gps(), seconds(search.elapsed()));
+      GpsFix fix = client.position(PATIENCE);
+      Duration cold = coldStart.elapsed();
+      tell.say("It read %s, by remote call.", describe(fix));
+      tell.figure("cold start of everything to position read", cold, Duration.ofSeconds(8));
+
+      killTheReceiversGroup(stage, client.gps());
+      silence(stage, client.gps());
+      activateInALivingGroup(stage);
+      killPhoenix(stage, client.gps());
+      callLocally(client, link);
+    }
+    end(stage);
+  }
+
+  private void step(String doing, String chapter) {
+    step = doing;
+    tell.chapter(chapter);
+  }
+
+  private String bringUp(Stage stage, String link) throws Exception {
+    step = "starting phoenix";
+    Narration.Stopwatch watch = tell.stopwatch();
+    ProcessHandle phoenix = stage.startPhoenix();
+    tell.say("Phoenix, the activation daemon, is process %d after %s.", phoenix.pid(), seconds(watch.elapsed()));
+
+    step = "bringing up the robot";
+    int port = Stage.freePort();
+    Map<String, String> settings =
+        Map.of(
+            "DFRA_HOST", Stage.HOST,
+            "DFRA_ATRV1_REGISTRAR_PORT", Integer.toString(port),
+            "DFRA_ATRV1_GPS_FRONT_LINK", link);
+    Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
+    RobotDescription robot = RobotXml.read(xml, settings::get);
+    watch = tell.stopwatch();
+    List<RobotBootstrap.Service> services = new RobotBootstrap(stage.phoenix(), robot).up();
+    tell.say(
+        "Robot %s is up after another %s: %s.",
+        robot.name(),
+        seconds(watch.elapsed()),
+        services.stream()
+            .map(service -> service.name() + " in group " + service.group())
+            .collect(Collectors.joining(", ")));
+    for (GroupStatus group : stage.groups()) {
+      tell.say("Group %s is process %d.", group.name(), group.pid());
+    }
+    return "jini://" + Stage.HOST + ":" + port;
+  }
+
+  private void killTheReceiversGroup(Stage stage, GPSSensor gps) throws Exception {
+    step("killing the receiver's group", "kill -9 of the receiver's virtual machine");
+    long old = stage.group("gps").pid();
+    stage.signal("KILL", old);
+    Narration.Stopwatch watch = tell.stopwatch();
+    GpsFix fix = fixFrom(gps);
+    Duration healed = watch.elapsed();
+    long now = stage.group("gps").pid();
+    require(now != old && now > 0, "the group did not come back");
+    tell.say(
+        "Process %d was killed. The same proxy answered again after %s, from process %d: %s.",
+        old, seconds(healed), now, describe(fix));
+    tell.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
+  }
+
+  /** The last fix; a receiver that has just come back has none for a moment. */
+  private static GpsFix fixFrom(GPSSensor gps) throws RemoteException {
+    gps.awaitReadiness(PATIENCE);
+    return gps.fix();
+  }
+
+  private void silence(Stage stage, GPSSensor gps) throws Exception {
+    step("stopping the receiver's group", "kill -STOP: a peer that is silent, as out of radio range");
+    long pid = stage.group("gps").pid();
+    stage.signal("STOP", pid);
+    Narration.Stopwatch watch = tell.stopwatch();
+    try {
+      gps.fix();
+      throw new IOException("a stopped process answered");
+    } catch (DeadlineExceededException e) {
+      tell.say("Process %d was stopped. The call ended after %s: %s.", pid, seconds(watch.elapsed()), e.getMessage());
+      tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
+    } finally {
+      stage.signal("CONT", pid);
+    }
+    watch = tell.stopwatch();
+    gps.fix();
+    tell.say("It was let go on, and the same proxy answered after %s.", seconds(watch.elapsed()));
+  }
+
+  private void activateInALivingGroup(Stage stage) throws Exception {
+    step("activating an object in a living group", "Activation itself");
+    ActivationSystem system = stage.phoenix().system();
+    ActivationGroupID group = gpsGroup(stage);
+    beacon(system, group).pid(); // loads the beacon's classes
+    ActivationID id = register(system, group);
+    Narration.Stopwatch watch = tell.stopwatch();
+    long pid = ((Beacon) id.activate(false)).pid();
+    Duration took = watch.elapsed();
+    require(pid == stage.group("gps").pid(), "the object was made in another process");
+    tell.say("An object that needs no device was made in the living group in %s.", seconds(took));
+    tell.figure("activation of an object in a live group", took, Duration.ofMillis(100));
+  }
+
+  private static Beacon beacon(ActivationSystem system, ActivationGroupID group)
+      throws ActivationException, RemoteException {
+    return (Beacon) register(system, group).activate(false);
+  }
+
+  private static ActivationID register(ActivationSystem system, ActivationGroupID group)
+      throws ActivationException, RemoteException {
+    return system.registerObject(
+        new ActivationDesc(group, Beacon.Server.class.getName(), null, (MarshalledObject<?>) null));
+  }
+
+  private static ActivationGroupID gpsGroup(Stage stage) throws IOException {
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups =
+        stage.phoenix().admin().getActivationGroups();
+    return groups.entrySet().stream()
+        .filter(each -> String.valueOf(each.getValue().getPropertyOverrides()).contains("atrv1.gps"))
+        .map(Map.Entry::getKey)
+        .findFirst()
+        .orElseThrow(() -> new IOException("the GPS group is not registered"));
+  }
+
+  private void killPhoenix(Stage stage, GPSSensor gps) throws Exception {
+    step("registering many objects", "kill -9 of phoenix");
+    ActivationSystem system = stage.phoenix().system();
+    ActivationGroupID group = gpsGroup(stage);
+    Narration.Stopwatch watch = tell.stopwatch();
+    for (int i = 0; i < MANY; i++) {
+      register(system, group);
+    }
+    tell.say(
+        "%d more objects were registered in %s, each one on disk before phoenix acknowledged it.",
+        MANY, seconds(watch.elapsed()));
+
+    step = "killing phoenix";
+    List<GroupStatus> before = stage.groups();
+    stage.signal("KILL", stage.lastPhoenix().pid());
+    watch = tell.stopwatch();
+    gps.fix();
+    tell.say(
+        "Phoenix was killed. The receiver answered on, after %s: no call needs phoenix as long as"
+            + " its server lives.",
+        seconds(watch.elapsed()));
+
+    step = "restarting phoenix";
+    watch = tell.stopwatch();
+    ProcessHandle restarted = stage.startPhoenix();
+    Duration ready = watch.elapsed();
+    List<GroupStatus> after = stage.groups();
+    tell.say("A new phoenix, process %d, answered after %s.", restarted.pid(), seconds(ready));
+    tell.figure("phoenix restart to ready, " + MANY + " objects", ready, Duration.ofSeconds(2));
+    require(count(before) == count(after), count(before) + " registrations became " + count(after));
+    for (int i = 0; i < before.size(); i++) {
+      require(before.get(i).pid() == after.get(i).pid(), "a living group was started again");
+      require(after.get(i).adopted(), "a living group was not taken back");
+    }
+    tell.say(
+        "All %d registrations are there, and the living groups were taken back, not doubled: %s.",
+        count(after),
+        after.stream()
+            .map(each -> each.name() + " still is process " + each.pid())
+            .collect(Collectors.joining(", ")));
+
+    step = "killing the receiver's group under the new phoenix";
+    long old = stage.group("gps").pid();
+    stage.signal("KILL", old);
+    watch = tell.stopwatch();
+    fixFrom(gps);
+    tell.say(
+        "The adopted group was killed too: the same proxy answered after %s, from process %d.",
+        seconds(watch.elapsed()), stage.group("gps").pid());
+  }
+
+  private static int count(List<GroupStatus> groups) {
+    return groups.stream().mapToInt(GroupStatus::objects).sum();
+  }
+
+  private void callLocally(PositionClient client, String link) throws Exception {
+    step("calling in the same virtual machine", "The proxy in the module's own virtual machine");
+    SameVmCall.Result result = SameVmCall.measure(client.gps(), link);
+    tell.say(
+        "There a proxy hands the call straight to the implementation: %.1f ns instead of %.1f ns;"
+            + " by network it is %.0f µs.",
+        result.proxyNanos(), result.directNanos(), result.remoteNanos() / 1000);
+    tell.figure(
+        "same-VM proxy call over the direct call",
+        result.proxyNanos() - result.directNanos(),
+        100,
+        "ns");
+  }
+
+  private void end(Stage stage) throws Exception {
+    step("shutting down", "The end");
+    stage.shutDown();
+    require(stage.left().isEmpty(), "processes " + stage.left() + " still run");
+    tell.say("All is shut down: none of the %d processes of this demonstration is left.", stage.seen());
+  }
+
+  private static void require(boolean condition, String otherwise) throws IOException {
+    if (!condition) {
+      throw new IOException(otherwise);
+    }
+  }
+
+  private static String seconds(Duration duration) {
+    double seconds = duration.toNanos() / 1e9;
+    return seconds < 0.1
+        ? String.format(Locale.ROOT, "%.1f ms", seconds * 1000)
+        : String.format(Locale.ROOT, "%.2f s", seconds);
+  }
+
+  private static String describe(GpsFix fix) {
+    GeoPosition at = Objects.requireNonNull(fix.position());
+    return String.format(
+        Locale.ROOT,
+        "%.6f° %s, %.6f° %s, %.1f m (%s, %d satellites, %s)",
+        Math.abs(at.latitude()),
+        at.latitude() < 0 ? "S" : "N",
+        Math.abs(at.longitude()),
+        at.longitude() < 0 ? "W" : "E",
+        at.height(),
+        fix.mode(),
+        fix.satellitesTracked(),
+        fix.utc());
+  }
+}
