@@ -14,6 +14,7 @@ final class ReplayLink implements SerialLink {
   private final ReplayAddress address;
   private final Ticker ticker;
   private final double nanosPerByte;
+  private final long size;
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition closed = lock.newCondition();
@@ -30,6 +31,7 @@ final class ReplayLink implements SerialLink {
     this.nanosPerByte =
         address.pace() == 0 ? 0 : BIT_NANOS_PER_BYTE / (address.baud() * address.pace());
     this.file = new RandomAccessFile(address.file().toFile(), "r");
+    this.size = file.length();
   }
 
   @Override
@@ -42,6 +44,9 @@ final class ReplayLink implements SerialLink {
         beginNanos = entered;
       }
       while (open) {
+        if (played >= size && !address.loop()) {
+          return lose();
+        }
         long now = ticker.nanos();
         int due = (int) Math.min(length, dueAt(now));
         if (due > 0) {

@@ -1,0 +1,192 @@
+package org.dfra.drivers.gps.m12;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import org.dfra.drivers.fixture.Frames;
+import org.dfra.flow.sensor.GpsFix;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class M12DecoderTest {
+
+  private static final LocalDateTime TIME = LocalDateTime.of(2026, 1, 21, 7, 33, 29, 500_000_000);
+
+  @ParameterizedTest
+  @CsvSource({
+    "15, 720000000, 4, latitude (mas) 720000000 is outside -324000000 to 324000000",
+    "31, -324000001, 4, latitude (mas) -324000001 is outside -324000000 to 324000000",
+    "19, 648000001, 4, longitude (mas) 648000001 is outside -648000000 to 648000000",
+    "23, 1800001, 4, GPS height (cm) 1800001 is outside -100000 to 1800000",
+    "39, -100001, 4, GPS height (cm) -100001 is outside -100000 to 1800000",
+    "47, 65535, 2, speed (cm/s) 65535 is outside 0 to 51500",
+    "49, 65535, 2, speed (cm/s) 65535 is outside 0 to 51500",
+    "51, 3601, 2, heading (0.1°) 3601 is outside 0 to 3600",
+    "53, 1000, 2, dilution (0.1) 1000 is outside 0 to 999",
+    "56, 13, 1, satellites tracked 13 is outside 0 to 12",
+    "58, 9, 1, mode of channel 0 9 is outside 0 to 8",
+    "6, 0, 2, year 0 is outside 1980 to 9999",
+    "8, 24, 1, hour 24 is outside 0 to 23",
+    "9, 60, 1, minute 60 is outside 0 to 59",
+    "10, 61, 1, second 61 is outside 0 to 60",
+    "11, -1, 4, fraction (ns) 2147483647 is outside 0 to 999999999",
+    "11, 1000000000, 4, fraction (ns) 1000000000 is outside 0 to 999999999",
+  })
+  void aValueThatCannotBeMakesAMalformedMessage(int offset, int value, int bytes, String reason) {
+    byte[] frame = Frames.with(Frames.ha(TIME, 52.9, 6.8, Frames.FIX_3D), offset, value, bytes);
+    assertThat(decode(frame)).isEqualTo(new MalformedMessage("Ha", reason));
+  }
+
+  @Test
+  void aDateThatIsNotInTheCalendarIsMalformed() {
+    byte[] frame = Frames.ha(LocalDateTime.of(2026, 2, 1, 0, 0), 52.9, 6.8, Frames.FIX_3D);
+    assertThat(decode(Frames.with(frame, 5, 30, 1))).isInstanceOf(MalformedMessage.class);
+    assertThat(decode(Frames.with(frame, 4, 0, 1))).isInstanceOf(MalformedMessage.class);
+    byte[] old = Frames.ea(LocalDateTime.of(2026, 2, 1, 0, 0), 52.9, 6.8, 0x20);
+    assertThat(decode(Frames.with(old, 4, 13, 1))).isInstanceOf(MalformedMessage.class);
+  }
+
+  @Test
+  void theParserCountsMalformedFramesAndDeliversThem() {
+    byte[] frame = Frames.with(Frames.ha(TIME, 52.9, 6.8, Frames.FIX_3D), 15, 200 * 3_600_000, 4);
+    java.util.List<M12Message> messages = new java.util.ArrayList<>();
+    M12Parser parser = new M12Parser(messages::add);
+    parser.feed(frame, 0, frame.length);
+    parser.feed(new byte[5], 0, 5);
+    assertThat(messages).singleElement().isInstanceOf(MalformedMessage.class);
+    assertThat(parser.counts()).isEqualTo(new M12Counts(1, 5, 1));
+  }
+
+  @Test
+  void allowsTheCornersOfTheEarth() {
+    for (double latitude : new double[] {-90, 0, 90}) {
+      for (double longitude : new double[] {-180, 0, 180}) {
+        Position12Channels message =
+            (Position12Channels) decode(Frames.ha(TIME, latitude, longitude, Frames.FIX_3D));
+        assertThat(message.position()).isEqualTo(new M12Position(latitude, longitude, 0, 0));
+      }
+    }
+  }
+
+  @Test
+  void aLeapSecondStandsAtTheEndOfItsMinute() {
+    byte[] frame =
+        Frames.ha(LocalDateTime.of(2016, 12, 31, 23, 59, 0, 250_000_000), 1, 2, Frames.FIX_3D);
+    M12PositionMessage message = (M12PositionMessage) decode(Frames.with(frame, 10, 60, 1));
+    assertThat(message.time().second()).isEqualTo(60);
+    assertThat(message.utc()).isEqualTo(Instant.parse("2016-12-31T23:59:59.999999999Z"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({ // UTC byte, UTC told, known
+    "0xD2, 2026-01-21T07:33:29.500Z, true", // UTC, offset known
+    "0x52, 2026-01-21T07:33:11.500Z, true", // GPS time, offset known: converted
+    "0x80, 2026-01-21T07:33:29.500Z, false", // UTC with an offset not known yet
+    "0x12, 2026-01-21T07:33:29.500Z, false", // GPS time, offset not known yet
+    "0x7F, 2026-01-21T07:33:30.500Z, true", // GPS time, offset −1: six bits with a sign
+  })
+  void convertsGpsTimeWhereTheOffsetIsKnown(int bits, Instant utc, boolean known) {
+    byte[] frame = Frames.with(Frames.ha(TIME, 1, 2, Frames.FIX_3D), 141, bits, 1);
+    M12PositionMessage message = (M12PositionMessage) decode(frame);
+    assertThat(message.utc()).isEqualTo(utc);
+    assertThat(message.knowsUtc()).isEqualTo(known);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0xE000, FIX_3D",
+    "0xC001, FIX_2D",
+    "0xA000, NONE",
+    "0x8401, POSITION_HOLD",
+    "0x6088, NONE",
+    "0x4000, NONE",
+    "0x2000, NONE",
+    "0x0000, NONE"
+  })
+  void twelveChannelStatusTellsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
+    GpsFix fix = ((M12PositionMessage) decode(Frames.ha(TIME, 1, 2, status))).toFix();
+    assertThat(fix.mode()).isEqualTo(mode);
+    assertThat(fix.position() == null).isEqualTo(mode == GpsFix.Mode.NONE);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0x20, FIX_3D",
+    "0x21, FIX_3D",
+    "0x10, FIX_2D",
+    "0x08, NONE",
+    "0x80, NONE",
+    "0xA0, NONE",
+    "0x40, NONE",
+    "0x0A, NONE",
+    "0x00, NONE"
+  })
+  void eightChannelStatusTellsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
+    M12PositionMessage message = (M12PositionMessage) decode(Frames.ea(TIME, 1, 2, status));
+    assertThat(message.toFix().mode()).isEqualTo(mode);
+    assertThat(message.stateInWords()).contains("0 of 0 tracked");
+  }
+
+  @Test
+  void statusBitsHaveNames() {
+    ReceiverStatus status = new ReceiverStatus(0x6088 | 2 << 1);
+    assertThat(status.state()).isEqualTo(ReceiverStatus.State.ACQUIRING);
+    assertThat(status.antenna()).isEqualTo(ReceiverStatus.Antenna.UNDER_CURRENT);
+    assertThat(status.coldStart()).isTrue();
+    assertThat(status.tooFewSatellites()).isTrue();
+    assertThat(status.narrowBand() || status.fastAcquisition() || status.filterReset()).isFalse();
+    assertThat(status.differential() || status.positionLock() || status.autosurvey()).isFalse();
+  }
+
+  @Test
+  void deliversWhatHasNoDecoderAsItCame() {
+    assertThat(decode(M12Commands.encode("Bo", 18)))
+        .isEqualTo(new OtherMessage("Bo", new byte[] {18}))
+        .hasToString("OtherMessage[@@Bo 12]");
+    OtherMessage message = new OtherMessage("Bo", new byte[] {18});
+    message.payload()[0] = 0;
+    assertThat(message.payload()).containsExactly(18);
+  }
+
+  @Test
+  void findsTheIdentificationByItsLabels() {
+    String text =
+        String.join(
+            "\r\n",
+            "COPYRIGHT 1991-1998  SOMEBODY INC.  ",
+            "MODEL #    P283T12T11  ", // another order than usual
+            "SFTW P/N # 61-G10268A      ",
+            "SOFTWARE VER # 2           ",
+            "SOFTWARE REV # 0           ",
+            "SOFTWARE DATE  AUG 14 2002 ",
+            "SERIAL #   P04DC2     ",
+            "MANUFACTUR DATE 2H17  ",
+            "OPTIONS LIST    IB\0\0",
+            "  MORE");
+    int[] payload = new int[294 - 7];
+    byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
+    for (int i = 0; i < payload.length; i++) {
+      payload[i] = i < bytes.length ? bytes[i] : ' ';
+    }
+    assertThat(decode(M12Commands.encode("Cj", payload)))
+        .isEqualTo(
+            new ReceiverIdentification(
+                "COPYRIGHT 1991-1998 SOMEBODY INC.",
+                "61-G10268A",
+                "2",
+                "0",
+                "AUG 14 2002",
+                "P283T12T11",
+                "", // not told
+                "P04DC2",
+                "2H17",
+                "IB MORE"));
+  }
+
+  private static M12Message decode(byte[] frame) {
+    return M12Decoder.decode(frame, 0, frame.length);
+  }
+}

@@ -1,0 +1,202 @@
+package org.dfra.drivers.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.awaitility.Awaitility;
+import org.dfra.drivers.fixture.ScriptedLink;
+import org.dfra.drivers.fixture.StepTicker;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.slf4j.LoggerFactory;
+
+@Timeout(30)
+class LinkKeeperTest {
+
+  private static final Duration FIRST = Duration.ofSeconds(1);
+
+  private final Logger log = (Logger) LoggerFactory.getLogger("dfra.test.keeper");
+  private final ListAppender<ILoggingEvent> told = new ListAppender<>();
+  private final StepTicker ticker = new StepTicker(false);
+  private final AtomicInteger tries = new AtomicInteger();
+  private final ConcurrentLinkedQueue<ScriptedLink> links = new ConcurrentLinkedQueue<>();
+  private final Talk talk = new Talk();
+  private final LinkKeeper keeper =
+      new LinkKeeper(
+          "gps_front", this::open, talk, new BackOff(FIRST, FIRST.multipliedBy(4)), ticker, log);
+
+  @BeforeEach
+  void listen() {
+    told.list = new CopyOnWriteArrayList<>();
+    told.start();
+    log.addAppender(told);
+    log.setAdditive(false);
+  }
+
+  @AfterEach
+  void end() {
+    keeper.close();
+    log.detachAppender(told);
+  }
+
+  private SerialLink open() throws IOException {
+    tries.incrementAndGet();
+    ScriptedLink link = links.poll();
+    if (link == null) {
+      throw new IOException("tcp://here:1: refused");
+    }
+    return link;
+  }
+
+  @Test
+  void waitsLongerAndLongerAndLogsTheReasonOnce() {
+    keeper.start();
+    awaitTries(1);
+    for (int seconds : new int[] {1, 2, 4, 4, 4}) {
+      int before = tries.get();
+      ticker.step(Duration.ofSeconds(seconds).minusNanos(1));
+      Awaitility.await()
+          .during(Duration.ofMillis(30))
+          .until(() -> tries.get() == before); // a nanosecond is missing
+      ticker.step(Duration.ofNanos(1));
+      awaitTries(before + 1);
+    }
+    assertThat(messages()).containsExactly("tcp://here:1: refused; trying again until it answers");
+  }
+
+  @Test
+  void logsEachChangeOnceHoweverManyTriesItTook() {
+    ScriptedLink link = new ScriptedLink("tcp://here:1");
+    keeper.start();
+    awaitTries(1);
+    ticker.step(FIRST);
+    awaitTries(2);
+    links.add(link);
+    ticker.step(Duration.ofSeconds(2));
+    link.say("one".getBytes());
+    link.say("two".getBytes());
+    Awaitility.await().until(() -> talk.heard.size() == 2);
+    link.unplug();
+    Awaitility.await().until(() -> talk.reasons.size() == 3);
+    ticker.step(FIRST); // the first wait again, since the device had answered
+    awaitTries(4);
+    assertThat(messages())
+        .containsExactly(
+            "tcp://here:1: refused; trying again until it answers",
+            "tcp://here:1: the device answers",
+            "tcp://here:1: the device is lost; trying again until it answers",
+            "tcp://here:1: refused; trying again until it answers");
+  }
+
+  @Test
+  void opensAnewWhenTheUserComplains() {
+    ScriptedLink silent = new ScriptedLink("tcp://here:1");
+    links.add(silent);
+    keeper.start();
+    Awaitility.await().until(() -> talk.opened.size() == 1);
+    talk.complaint = "no frame for 5 s";
+    Awaitility.await().until(() -> talk.reasons.contains("tcp://here:1: no frame for 5 s"));
+    assertThat(silent.isOpen()).isFalse();
+  }
+
+  @Test
+  void survivesAUserThatThrows() {
+    ScriptedLink first = new ScriptedLink("tcp://here:1");
+    ScriptedLink second = new ScriptedLink("tcp://here:1");
+    links.add(first);
+    links.add(second);
+    talk.throwOn = "boom";
+    keeper.start();
+    first.say("boom".getBytes());
+    Awaitility.await().until(() -> talk.reasons.size() == 1);
+    ticker.step(FIRST);
+    second.say("fine".getBytes());
+    Awaitility.await().until(() -> talk.heard.contains("fine"));
+  }
+
+  @Test
+  void closeEndsTheReaderWhateverItDoes() {
+    keeper.start();
+    awaitTries(1); // it waits for the next try
+    keeper.close();
+    keeper.close();
+    assertThat(readers()).isEmpty();
+  }
+
+  @Test
+  void neverStartsAfterItWasClosed() {
+    keeper.close();
+    keeper.start();
+    assertThat(readers()).isEmpty();
+    assertThat(tries).hasValue(0);
+  }
+
+  @Test
+  void theReaderIsNamedAfterItsModule() {
+    keeper.start();
+    keeper.start();
+    awaitTries(1);
+    assertThat(readers()).hasSize(1);
+  }
+
+  private void awaitTries(int count) {
+    Awaitility.await().untilAsserted(() -> assertThat(tries).hasValue(count));
+    Awaitility.await().until(() -> talk.reasons.size() + talk.opened.size() >= count);
+  }
+
+  private List<String> messages() {
+    return told.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+  }
+
+  private static List<Thread> readers() {
+    List<Thread> found = new ArrayList<>(Thread.getAllStackTraces().keySet());
+    found.removeIf(thread -> !thread.getName().equals("gps_front reader") || !thread.isAlive());
+    return found;
+  }
+
+  private static final class Talk implements LinkUser {
+
+    final List<SerialLink> opened = new CopyOnWriteArrayList<>();
+    final List<String> heard = new CopyOnWriteArrayList<>();
+    final List<String> reasons = new CopyOnWriteArrayList<>();
+    volatile @Nullable String complaint;
+    volatile String throwOn = "";
+
+    @Override
+    public void opened(SerialLink link) {
+      opened.add(link);
+    }
+
+    @Override
+    public boolean received(byte[] bytes, int length) {
+      String text = new String(bytes, 0, length);
+      if (text.equals(throwOn)) {
+        throw new IllegalStateException("a fault in the driver");
+      }
+      heard.add(text);
+      return true;
+    }
+
+    @Override
+    public @Nullable String tend(SerialLink link) {
+      return complaint;
+    }
+
+    @Override
+    public void lost(String reason) {
+      reasons.add(reason);
+    }
+  }
+}
