@@ -3,13 +3,18 @@ import org.w3c.dom.Element
 
 rootProject.name = "dfra"
 
-// pom.xml is the one place where module names and versions are written; both builds read it.
+// pom.xml is the one place where module names and versions are written; both builds read it. Each managed dependency
+// of others is in the catalog under its artifactId: jsk-platform is rootProject.libs.jsk.platform in a build script.
 val pom: Element = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file("pom.xml")).documentElement
 fun Element.children() = (0 until childNodes.length).map { childNodes.item(it) }.filterIsInstance<Element>()
 fun Element.child(name: String) = children().first { it.tagName == name }
 fun Element.text(name: String) = child(name).textContent.trim()
 
 pom.child("modules").children().map { it.textContent.trim() }.filter { it.startsWith("dfra-") }.forEach { include(it) }
+gradle.allprojects {
+    group = pom.text("groupId")
+    version = pom.text("version")
+}
 
 dependencyResolutionManagement {
     repositories { mavenCentral() }

@@ -1,0 +1,78 @@
+plugins { `java-library` }
+
+// The root project's own sources are src/test: the integration tests that span the modules.
+allprojects { apply(plugin = "java-library") }
+
+allprojects {
+    tasks.withType<JavaCompile>().configureEach {
+        options.release.set(17)
+        options.encoding = "UTF-8"
+        options.compilerArgs.addAll(listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters"))
+    }
+    // Jar names carry no version, in either build: class paths and codebases name them.
+    tasks.withType<Jar>().configureEach { archiveVersion.set("") }
+
+    dependencies {
+        "compileOnly"(rootProject.libs.jspecify)
+        "testCompileOnly"(rootProject.libs.jspecify)
+        "testImplementation"(rootProject.libs.junit.jupiter)
+        "testImplementation"(rootProject.libs.assertj.core)
+        "testImplementation"(rootProject.libs.awaitility)
+        "testRuntimeOnly"("org.junit.platform:junit-platform-launcher")
+    }
+
+    // java.rmi.activation left the JDK in 17; JERI needs it, and only the boot loader may define it.
+    val activationJar = project(":dfra-activation").tasks.named<Jar>("jar")
+    val dfraArguments = {
+        val boot = activationJar.get().archiveFile.get().asFile.path
+        listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$rootDir")
+    }
+    val full = providers.gradleProperty("dfra.full").getOrElse("false")
+    val testJava = providers.gradleProperty("dfra.test.java").orNull
+    tasks.withType<Test>().configureEach {
+        group = "dfra"
+        dependsOn(activationJar)
+        useJUnitPlatform()
+        include("**/*Test.class", "**/*IT.class")
+        jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
+        jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
+        systemProperty("dfra.full", full)
+        if (testJava != null) executable("$testJava/bin/java")
+        outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little
+    }
+    tasks.withType<JavaExec>().configureEach {
+        dependsOn(activationJar)
+        jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
+    }
+}
+
+dependencies {
+    testCompileOnly(project(":dfra-activation"))
+    testImplementation(project(":dfra-app"))
+    testImplementation(rootProject.libs.reggie)
+    testImplementation(rootProject.libs.archunit)
+}
+
+val app = project(":dfra-app")
+val appLib = app.layout.buildDirectory.dir("lib")
+
+fun JavaExec.runsDfra(what: String, vararg arguments: String) {
+    group = "dfra"
+    description = what
+    dependsOn(":dfra-app:lib")
+    classpath = app.the<SourceSetContainer>()["main"].runtimeClasspath
+    mainClass.set("org.dfra.app.Main")
+    args(*arguments)
+    systemProperty("dfra.lib", appLib.get().asFile.path)
+    standardInput = System.`in`
+}
+
+tasks.register<JavaExec>("demo") {
+    val name = providers.gradleProperty("demo").orNull
+    runsDfra("Runs the newest demonstration, or the one named by -Pdemo=<name>.", *listOfNotNull("demo", name).toTypedArray())
+}
+
+tasks.register<JavaExec>("robot") {
+    val robot = providers.gradleProperty("robot").getOrElse("config/robots/atrv1.xml")
+    runsDfra("Launches the service groups of the robot described by -Probot=<xml>.", "robot", robot)
+}

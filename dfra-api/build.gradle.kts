@@ -1,0 +1,1 @@
+// dfra-api needs the JDK only.

@@ -1,0 +1,18 @@
+dependencies {
+    api(project(":dfra-river"))
+    api(project(":dfra-drivers"))
+    api(project(":dfra-sim"))
+    compileOnly(project(":dfra-activation"))
+    testCompileOnly(project(":dfra-activation"))
+    api(rootProject.libs.picocli)
+    runtimeOnly(rootProject.libs.jsk.resources)
+    runtimeOnly(rootProject.libs.reggie)
+    runtimeOnly(rootProject.libs.logback.classic)
+}
+
+tasks.register<Sync>("lib") {
+    group = "dfra"
+    description = "Gathers the class path of ./dfra in build/lib: this jar, the other modules', and what they need."
+    from(tasks.named("jar"), configurations.named("runtimeClasspath"))
+    into(layout.buildDirectory.dir("lib"))
+}

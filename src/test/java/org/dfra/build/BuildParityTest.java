@@ -1,0 +1,205 @@
+package org.dfra.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.dfra.build.BuildModel.Dependency;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Maven and Gradle build the same house: the same modules, needing the same in the same versions
+ * and scopes.
+ */
+class BuildParityTest {
+
+  /**
+   * Surefire finds the launcher itself, Gradle wants it named (and takes its version from JUnit's
+   * own constraints).
+   */
+  private static final Dependency GRADLE_ONLY =
+      new Dependency("org.junit.platform:junit-platform-launcher", "no managed version", "test");
+
+  @TempDir Path elsewhere;
+
+  @Test
+  void bothBuildsHaveTheSameModulesAndDependencies() {
+    assertThat(differences(Repository.root())).isEmpty();
+  }
+
+  @Test
+  void readsSomethingAtAll() {
+    MavenBuild maven = new MavenBuild(Repository.root());
+    assertThat(maven.model().modules()).containsKeys("dfra-activation", "dfra-river", "src/test");
+    assertThat(maven.model().modules().get("dfra-river"))
+        .contains(
+            new Dependency(
+                "net.jini:jsk-platform",
+                maven.managedVersions().get("net.jini:jsk-platform"),
+                "compile"),
+            new Dependency(
+                "org.dfra:dfra-activation",
+                maven.managedVersions().get("org.dfra:dfra-core"),
+                "provided"));
+  }
+
+  @Test
+  void versionsAreWrittenOnlyInTheRootPom() {
+    assertThat(new MavenBuild(Repository.root()).managedWithoutProperty()).isEmpty();
+    for (Path script : gradleScripts()) {
+      assertThat(GradleBuild.withoutComments(Repository.read(script)))
+          .as("%s: a version is written in pom.xml, nowhere else", script)
+          .doesNotContainPattern("\\d+\\.\\d+");
+    }
+  }
+
+  @Test
+  void gradleTakesItsModulesFromThePomAndOnlyCorePlugins() {
+    assertThat(Repository.read(Repository.root().resolve("settings.gradle.kts")))
+        .as("settings.gradle.kts reads the modules from pom.xml and names none")
+        .doesNotContainPattern("\"dfra-\\w");
+    for (Path script : gradleScripts()) {
+      assertThat(Repository.read(script))
+          .as("%s: core plugins only", script)
+          .doesNotContainPattern("\\bid\\s*\\(");
+    }
+  }
+
+  @Test
+  void seesADependencyThatOneBuildLacks() throws IOException {
+    house("", "");
+    assertThat(differences(elsewhere))
+        .containsExactly(
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (compile) only according to Maven");
+  }
+
+  @Test
+  void seesADependencyOnlyGradleHas() throws IOException {
+    house("api(rootProject.libs.jsk.platform)", "");
+    Files.writeString(elsewhere.resolve("dfra-b/pom.xml"), "<project/>");
+    assertThat(differences(elsewhere))
+        .contains("dfra-b needs net.jini:jsk-platform:2.2.2 (compile) only according to Gradle");
+  }
+
+  @Test
+  void seesAnotherScope() throws IOException {
+    house("runtimeOnly(rootProject.libs.jsk.platform)", "");
+    assertThat(differences(elsewhere))
+        .containsExactly(
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (compile) only according to Maven",
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (runtime) only according to Gradle");
+  }
+
+  @Test
+  void seesAnotherVersion() throws IOException {
+    house("api(\"net.jini:jsk-platform:2.2.3\")", "");
+    assertThat(differences(elsewhere))
+        .containsExactly(
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (compile) only according to Maven",
+            "dfra-b needs net.jini:jsk-platform:2.2.3 (compile) only according to Gradle");
+  }
+
+  @Test
+  void seesAVersionOverriddenInAModulesPom() throws IOException {
+    house("api(libs.jsk.platform)", "<version>2.2.1</version>");
+    assertThat(differences(elsewhere))
+        .contains("dfra-b needs net.jini:jsk-platform:2.2.1 (compile) only according to Maven");
+  }
+
+  @Test
+  void providedIsOnTheTestsClassPathToo() throws IOException {
+    house("compileOnly(libs.jsk.platform)", "<scope>provided</scope>");
+    assertThat(differences(elsewhere))
+        .contains(
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (compileOnly) only according to Gradle");
+    house(
+        "compileOnly(libs.jsk.platform); testCompileOnly(libs.jsk.platform)",
+        "<scope>provided</scope>");
+    assertThat(differences(elsewhere)).isEmpty();
+  }
+
+  @Test
+  void seesAModuleThatOneBuildLacks() throws IOException {
+    house("api(rootProject.libs.jsk.platform)", "");
+    assertThat(differences(elsewhere)).isEmpty();
+    Files.createDirectories(elsewhere.resolve("dfra-c"));
+    Files.writeString(elsewhere.resolve("dfra-c/build.gradle.kts"), "");
+    assertThat(differences(elsewhere)).containsExactly("module dfra-c is only in Gradle");
+    Files.delete(elsewhere.resolve("dfra-c/build.gradle.kts"));
+    Files.delete(elsewhere.resolve("dfra-b/build.gradle.kts"));
+    assertThat(differences(elsewhere)).containsExactly("module dfra-b is only in Maven");
+  }
+
+  @Test
+  void refusesALineItCannotCompare() throws IOException {
+    house("api(fileTree(\"lib\"))", "");
+    assertThatThrownBy(() -> differences(elsewhere))
+        .hasMessage("dfra-b: not a dependency line this test can compare: api(fileTree(\"lib\"))");
+    house("api(rootProject.libs.nothing.known)", "");
+    assertThatThrownBy(() -> differences(elsewhere))
+        .hasMessage("dfra-b: libs.nothing.known is no dependency managed in pom.xml");
+  }
+
+  private static List<String> differences(Path root) {
+    MavenBuild maven = new MavenBuild(root);
+    BuildModel gradle = new GradleBuild(root, maven.managedVersions()).model();
+    for (Set<Dependency> needs : gradle.modules().values()) {
+      needs.remove(GRADLE_ONLY);
+    }
+    return maven.model().differencesFrom(gradle);
+  }
+
+  private static List<Path> gradleScripts() {
+    Path root = Repository.root();
+    return Stream.concat(
+            Stream.of("settings.gradle.kts", "build.gradle.kts").map(root::resolve),
+            Repository.modulesWith(root, "build.gradle.kts").stream()
+                .map(module -> module.resolve("build.gradle.kts")))
+        .toList();
+  }
+
+  /** A small house elsewhere: dfra-b needs jsk-platform, in Gradle by {@code line}. */
+  private void house(String line, String inMaven) throws IOException {
+    Map<String, String> files =
+        Map.of(
+            "pom.xml",
+            """
+            <project>
+              <version>1</version>
+              <modules><module>dfra-b</module><module>src/test</module></modules>
+              <properties><river.version>2.2.2</river.version></properties>
+              <dependencyManagement><dependencies>
+                <dependency><groupId>net.jini</groupId><artifactId>jsk-platform</artifactId>
+                  <version>${river.version}</version></dependency>
+                <dependency><groupId>org.dfra</groupId><artifactId>dfra-b</artifactId>
+                  <version>${project.version}</version></dependency>
+              </dependencies></dependencyManagement>
+            </project>
+            """,
+            "dfra-b/pom.xml",
+            """
+            <project><dependencies>
+              <dependency><groupId>net.jini</groupId><artifactId>jsk-platform</artifactId>%s</dependency>
+            </dependencies></project>
+            """
+                .formatted(inMaven),
+            "src/test/pom.xml",
+            "<project/>",
+            "build.gradle.kts",
+            "plugins { `java-library` }\n",
+            "dfra-b/build.gradle.kts",
+            "dependencies {\n    // why\n    %s\n}\n".formatted(line));
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      Path path = elsewhere.resolve(file.getKey());
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, file.getValue());
+    }
+  }
+}
