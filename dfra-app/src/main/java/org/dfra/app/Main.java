@@ -23,10 +23,16 @@ import picocli.CommandLine.ScopeType;
     })
 public final class Main {
 
+  /** Environment variable or system property with the level of the log. */
+  private static final String LOG_LEVEL = "DFRA_LOG";
+
   private Main() {}
 
   /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
   public static void main(String[] args) {
+    if (System.getenv(LOG_LEVEL) == null && System.getProperty(LOG_LEVEL) == null) {
+      System.setProperty(LOG_LEVEL, "WARN"); // a terminal is for answers
+    }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
     System.exit(commandLine().execute(args));

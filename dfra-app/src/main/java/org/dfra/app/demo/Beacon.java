@@ -9,7 +9,9 @@ import org.dfra.module.Idempotent;
 import org.dfra.river.call.ResurrectingExporter;
 import org.dfra.river.server.Exporters;
 
-/** The smallest activatable object: it needs no device, so it shows what activation itself costs. */
+/**
+ * The smallest activatable object: it needs no device, so it shows what activation itself costs.
+ */
 public interface Beacon extends Remote {
 
   /** The process that the beacon stands in. */

@@ -11,6 +11,7 @@ import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -94,7 +95,7 @@ final class FoundationDemo implements Demo {
       silence(stage, client.gps());
       activateInALivingGroup(stage);
       killPhoenix(stage, client.gps());
-      callLocally(client, link);
+      callLocally(stage, client);
     }
     end(stage);
   }
@@ -108,15 +109,20 @@ final class FoundationDemo implements Demo {
     step = "starting phoenix";
     Narration.Stopwatch watch = tell.stopwatch();
     ProcessHandle phoenix = stage.startPhoenix();
-    tell.say("Phoenix, the activation daemon, is process %d after %s.", phoenix.pid(), seconds(watch.elapsed()));
+    tell.say(
+        "Phoenix, the activation daemon, is process %d after %s.",
+        phoenix.pid(), seconds(watch.elapsed()));
 
     step = "bringing up the robot";
     int port = Stage.freePort();
     Map<String, String> settings =
         Map.of(
-            "DFRA_HOST", Stage.HOST,
-            "DFRA_ATRV1_REGISTRAR_PORT", Integer.toString(port),
-            "DFRA_ATRV1_GPS_FRONT_LINK", link);
+            "DFRA_HOST",
+            Stage.HOST,
+            "DFRA_ATRV1_REGISTRAR_PORT",
+            Integer.toString(port),
+            "DFRA_ATRV1_GPS_FRONT_LINK",
+            link);
     Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
     RobotDescription robot = RobotXml.read(xml, settings::get);
     watch = tell.stopwatch();
@@ -137,8 +143,8 @@ final class FoundationDemo implements Demo {
   private void killTheReceiversGroup(Stage stage, GPSSensor gps) throws Exception {
     step("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = stage.group("gps").pid();
-    stage.signal("KILL", old);
     Narration.Stopwatch watch = tell.stopwatch();
+    stage.signal("KILL", old);
     GpsFix fix = fixFrom(gps);
     Duration healed = watch.elapsed();
     long now = stage.group("gps").pid();
@@ -156,7 +162,9 @@ final class FoundationDemo implements Demo {
   }
 
   private void silence(Stage stage, GPSSensor gps) throws Exception {
-    step("stopping the receiver's group", "kill -STOP: a peer that is silent, as out of radio range");
+    step(
+        "stopping the receiver's group",
+        "kill -STOP: a peer that is silent, as out of radio range");
     long pid = stage.group("gps").pid();
     stage.signal("STOP", pid);
     Narration.Stopwatch watch = tell.stopwatch();
@@ -164,7 +172,9 @@ final class FoundationDemo implements Demo {
       gps.fix();
       throw new IOException("a stopped process answered");
     } catch (DeadlineExceededException e) {
-      tell.say("Process %d was stopped. The call ended after %s: %s.", pid, seconds(watch.elapsed()), e.getMessage());
+      tell.say(
+          "Process %d was stopped. The call ended after %s: %s.",
+          pid, seconds(watch.elapsed()), String.valueOf(e.getMessage()));
       tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
     } finally {
       stage.signal("CONT", pid);
@@ -204,7 +214,8 @@ final class FoundationDemo implements Demo {
     Map<ActivationGroupID, ActivationGroupDesc> groups =
         stage.phoenix().admin().getActivationGroups();
     return groups.entrySet().stream()
-        .filter(each -> String.valueOf(each.getValue().getPropertyOverrides()).contains("atrv1.gps"))
+        .filter(
+            each -> String.valueOf(each.getValue().getPropertyOverrides()).contains("atrv1.gps"))
         .map(Map.Entry::getKey)
         .findFirst()
         .orElseThrow(() -> new IOException("the GPS group is not registered"));
@@ -224,7 +235,7 @@ final class FoundationDemo implements Demo {
 
     step = "killing phoenix";
     List<GroupStatus> before = stage.groups();
-    stage.signal("KILL", stage.lastPhoenix().pid());
+    stage.killPhoenix();
     watch = tell.stopwatch();
     gps.fix();
     tell.say(
@@ -253,8 +264,8 @@ final class FoundationDemo implements Demo {
 
     step = "killing the receiver's group under the new phoenix";
     long old = stage.group("gps").pid();
-    stage.signal("KILL", old);
     watch = tell.stopwatch();
+    stage.signal("KILL", old);
     fixFrom(gps);
     tell.say(
         "The adopted group was killed too: the same proxy answered after %s, from process %d.",
@@ -265,9 +276,9 @@ final class FoundationDemo implements Demo {
     return groups.stream().mapToInt(GroupStatus::objects).sum();
   }
 
-  private void callLocally(PositionClient client, String link) throws Exception {
+  private void callLocally(Stage stage, PositionClient client) throws Exception {
     step("calling in the same virtual machine", "The proxy in the module's own virtual machine");
-    SameVmCall.Result result = SameVmCall.measure(client.gps(), link);
+    SameVmCall.Result result = SameVmCall.measure(client.gps(), stage.startReceiver());
     tell.say(
         "There a proxy hands the call straight to the implementation: %.1f ns instead of %.1f ns;"
             + " by network it is %.0f µs.",
@@ -283,7 +294,8 @@ final class FoundationDemo implements Demo {
     step("shutting down", "The end");
     stage.shutDown();
     require(stage.left().isEmpty(), "processes " + stage.left() + " still run");
-    tell.say("All is shut down: none of the %d processes of this demonstration is left.", stage.seen());
+    tell.say(
+        "All is shut down: none of the %d processes of this demonstration is left.", stage.seen());
   }
 
   private static void require(boolean condition, String otherwise) throws IOException {
@@ -311,6 +323,6 @@ final class FoundationDemo implements Demo {
         at.height(),
         fix.mode(),
         fix.satellitesTracked(),
-        fix.utc());
+        fix.utc().truncatedTo(ChronoUnit.MILLIS));
   }
 }

@@ -33,8 +33,10 @@ final class Stage implements AutoCloseable {
   private final Path folder;
   private final PhoenixProcess phoenix;
   private final List<ProcessHandle> started = new ArrayList<>();
+  private final List<ProcessHandle> receivers = new ArrayList<>();
   private @Nullable ProcessHandle lastPhoenix;
   private boolean keepFolder;
+  private boolean closed; // guarded by this
 
   Stage() throws IOException {
     folder = Files.createTempDirectory("dfra-demo-");
@@ -57,6 +59,7 @@ final class Stage implements AutoCloseable {
 
   /** Starts an emulated M12+ in a process of its own; returns its link. */
   String startReceiver() throws IOException {
+    Path receiverLog = folder.resolve("receiver-" + (receivers.size() + 1) + ".log");
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
     command.addAll(
@@ -65,17 +68,14 @@ final class Stage implements AutoCloseable {
             "--latitude=27.9506",
             "--longitude=-82.4572",
             "--height=14.5"));
-    Process process =
-        new ProcessBuilder(command)
-            .redirectError(folder.resolve("receiver.log").toFile())
-            .start();
+    Process process = new ProcessBuilder(command).redirectError(receiverLog.toFile()).start();
     started.add(process.toHandle());
+    receivers.add(process.toHandle());
     BufferedReader reader = process.inputReader(StandardCharsets.UTF_8);
     String line = reader.readLine();
     String ready = "listening on ";
     if (line == null || !line.startsWith(ready)) {
-      throw new IOException(
-          "the emulated receiver did not start; see " + folder.resolve("receiver.log"));
+      throw new IOException("the emulated receiver did not start; see " + receiverLog);
     }
     return line.substring(ready.length());
   }
@@ -88,8 +88,7 @@ final class Stage implements AutoCloseable {
     return process;
   }
 
-  /** The phoenix started last. */
-  ProcessHandle lastPhoenix() {
+  private ProcessHandle lastPhoenix() {
     return Objects.requireNonNull(lastPhoenix, "phoenix was not started");
   }
 
@@ -112,15 +111,16 @@ final class Stage implements AutoCloseable {
     return groups;
   }
 
-  /** Sends a signal, as an operator would, and for KILL waits until the process is gone. */
+  /** Kills phoenix with -9 and waits until it is gone. */
+  void killPhoenix() throws IOException, InterruptedException {
+    signal("KILL", lastPhoenix().pid());
+    awaitEnd(lastPhoenix());
+  }
+
+  /** Sends a signal, as an operator would. */
   void signal(String name, long pid) throws IOException, InterruptedException {
-    ProcessHandle target =
-        ProcessHandle.of(pid).orElseThrow(() -> new IOException("process " + pid + " is gone"));
     if (new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start().waitFor() != 0) {
       throw new IOException("process " + pid + " could not be sent " + name);
-    }
-    if (name.equals("KILL")) {
-      awaitEnd(target);
     }
   }
 
@@ -132,13 +132,11 @@ final class Stage implements AutoCloseable {
     }
   }
 
-  /** Takes everything down as an operator would; the receiver is switched off last. */
+  /** Takes everything down as an operator would; the receivers are switched off last. */
   void shutDown() throws IOException, InterruptedException {
     groups();
     phoenix.shutdown(PATIENCE);
-    for (ProcessHandle process : started.subList(0, 1)) {
-      process.destroy();
-    }
+    receivers.forEach(ProcessHandle::destroy);
     for (ProcessHandle process : started) {
       awaitEnd(process);
     }
@@ -154,8 +152,13 @@ final class Stage implements AutoCloseable {
     return started.size();
   }
 
+  /** Ends whatever still runs and removes the folder, unless it is kept. Idempotent. */
   @Override
-  public void close() throws IOException {
+  public synchronized void close() throws IOException {
+    if (closed) {
+      return;
+    }
+    closed = true;
     try {
       groups();
     } catch (IOException e) {

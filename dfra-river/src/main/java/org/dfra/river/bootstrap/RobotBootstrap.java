@@ -71,8 +71,7 @@ public final class RobotBootstrap {
       ActivationGroupID groupId = loader.group(group);
       for (ModuleDescription module : group.modules()) {
         services.add(
-            activate(
-                loader.module(groupId, group, module, host, locators(), multicastGroups())));
+            activate(loader.module(groupId, group, module, host, locators(), multicastGroups())));
       }
     }
     return services;
@@ -82,7 +81,8 @@ public final class RobotBootstrap {
     try {
       service.id().activate(false);
     } catch (ActivationException e) {
-      throw new ActivationException(service.name() + " did not start: " + e.getMessage(), e);
+      // Without the cause: an activation exception's message repeats its cause's.
+      throw new ActivationException(service.name() + " did not start: " + e.getMessage());
     }
     LOG.info("{} is up in group {}.", service.name(), service.group());
     return service;
@@ -103,7 +103,7 @@ public final class RobotBootstrap {
         PhoenixProcess.quote(folder.resolve(robot.name()).toString()));
     override(arguments, "initialMemberGroups", array(robot.lookupGroups()));
     if (multicastGroups().isEmpty()) {
-      override(arguments, "multicastInterfaces", "new java.net.NetworkInterface[0]");
+      override(arguments, "multicastInterfaces", "new java.net.NetworkInterface[]{}");
     }
     return loader.registrar(
         group, registrar, new MarshalledObject<>(arguments.toArray(String[]::new)));

@@ -172,9 +172,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
    */
   private static ActivationException failure(ActivationDesc desc, String what, Throwable cause) {
     LOG.error("{}: {}.", desc.getClassName(), what, cause);
-    Exception portable = new Exception(cause.toString());
-    portable.setStackTrace(cause.getStackTrace());
-    return new ActivationException(desc.getClassName() + ": " + what + ": " + cause, portable);
+    return new ActivationException(desc.getClassName() + ": " + what + ": " + cause);
   }
 
   /**
