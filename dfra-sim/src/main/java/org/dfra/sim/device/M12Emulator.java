@@ -13,8 +13,6 @@ import java.nio.channels.SocketChannel;
 import java.time.Instant;
 import java.time.InstantSource;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A Motorola Oncore M12+ behind a TCP port of the loopback interface, as one on a serial server.
@@ -28,8 +26,6 @@ import org.slf4j.LoggerFactory;
  * done. Both do nothing the second time.
  */
 public final class M12Emulator implements AutoCloseable {
-
-  private static final Logger log = LoggerFactory.getLogger(M12Emulator.class);
 
   /** Real time between two looks at the clock. */
   private static final int LOOK_EVERY_MILLIS = 5;
@@ -187,7 +183,6 @@ public final class M12Emulator implements AutoCloseable {
     if (isThere && client.write(out)) {
       return client;
     }
-    log.info("the client at port {} has gone", port());
     client.close();
     return null;
   }
@@ -239,7 +234,7 @@ public final class M12Emulator implements AutoCloseable {
       try {
         channel.close();
       } catch (IOException e) {
-        log.debug("closing a connection: {}", e.toString());
+        // it is gone either way
       }
     }
   }
