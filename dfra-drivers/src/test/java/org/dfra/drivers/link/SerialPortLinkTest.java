@@ -50,7 +50,7 @@ class SerialPortLinkTest {
   }
 
   @Test
-  void carriesBytesBothWaysAndForgetsWhatCameBeforeItWasOpened() throws IOException {
+  void carriesBytesBothWays() throws IOException {
     try (SerialLink device = LinkAddress.open("serial:" + there)) {
       try (SerialLink link = LinkAddress.open("serial:" + here + "?baud=9600")) {
         link.write("poll".getBytes(US_ASCII));

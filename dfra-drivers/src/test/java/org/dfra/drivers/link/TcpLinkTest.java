@@ -9,7 +9,10 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
@@ -105,6 +108,40 @@ class TcpLinkTest {
     assertThatThrownBy(() -> LinkAddress.open("tcp://no-such-host.invalid:1"))
         .isInstanceOf(IOException.class)
         .hasMessageContaining("the host name no-such-host.invalid is not known");
+  }
+
+  @Test
+  void anInterruptEndsTheAttemptToConnect() throws Exception {
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      List<Socket> queued = new ArrayList<>();
+      try {
+        while (true) { // fill its queue; from then on nobody answers
+          Socket next = new Socket();
+          queued.add(next);
+          next.connect(full.getLocalSocketAddress(), 200);
+        }
+      } catch (SocketTimeoutException expected) {
+        Thread opener =
+            new Thread(
+                () -> {
+                  try (SerialLink unexpected =
+                      LinkAddress.open("tcp://127.0.0.1:" + full.getLocalPort())) {
+                    assertThat(unexpected.isOpen()).isTrue();
+                  } catch (IOException interrupted) {
+                    Thread.currentThread().interrupt();
+                  }
+                });
+        opener.start();
+        Awaitility.await().until(() -> isInside(opener, "TcpLink", "open"));
+        opener.interrupt();
+        opener.join(1000); // the attempt alone would take 2 s
+        assertThat(opener.isAlive()).isFalse();
+      } finally {
+        for (Socket socket : queued) {
+          socket.close();
+        }
+      }
+    }
   }
 
   private static boolean isInside(Thread thread, String className, String method) {

@@ -343,7 +343,7 @@ class M12PlusImplTest {
       value = {
         "link | | parameter link is not set",
         "link | udp://x:1 | parameter link is \"udp://x:1\", which is not a usable link: link",
-        "rate | 0 | parameter rate is \"0\", which is not a number from 1.0 to 255.0",
+        "rate | 0 | parameter rate is \"0\", which is not a number from 1 to 255",
         "rate | 1.5 | parameter rate is \"1.5\", which is not a whole number of seconds",
         "reopen_first | 9 | parameter reopen_first is \"9\", which is not in order: reopen_first is",
       })

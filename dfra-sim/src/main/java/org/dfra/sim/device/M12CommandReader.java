@@ -1,0 +1,75 @@
+package org.dfra.sim.device;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+
+/** Finds commands in the bytes a computer sends. Confined to one thread. */
+final class M12CommandReader {
+
+  /** Takes the commands found. */
+  @FunctionalInterface
+  interface Sink {
+
+    /**
+     * Takes one.
+     *
+     * @param id its two letters
+     * @param argument its one byte, 0 to 255; 0 where it has none
+     */
+    void command(String id, int argument);
+  }
+
+  /** Total lengths of the commands that are known. */
+  private static final Map<String, Integer> LENGTHS = Map.of("Ha", 8, "Ea", 8, "Aw", 8, "Cj", 7);
+
+  private final Sink sink;
+  private final byte[] window = new byte[8];
+  private int filled;
+
+  M12CommandReader(Sink sink) {
+    this.sink = sink;
+  }
+
+  void feed(byte[] bytes, int offset, int length) {
+    for (int i = offset; i < offset + length; i++) {
+      window[filled++] = bytes[i];
+      while (filled > 0 && !mayGrow()) {
+        int used = Math.max(1, commandLength());
+        System.arraycopy(window, used, window, 0, filled - used);
+        filled -= used;
+      }
+    }
+  }
+
+  /** Whether the bytes so far may be the beginning of a command that is not complete yet. */
+  private boolean mayGrow() {
+    if (window[0] != '@' || (filled > 1 && window[1] != '@')) {
+      return false;
+    }
+    return filled < 4 || filled < LENGTHS.getOrDefault(id(), 0);
+  }
+
+  /** Obeys the command at the beginning; returns its length, 0 when there is none. */
+  private int commandLength() {
+    int length = filled < 4 ? 0 : LENGTHS.getOrDefault(id(), 0);
+    if (length == 0 || filled < length) {
+      return 0;
+    }
+    int sum = 0;
+    for (int i = 2; i < length - 2; i++) {
+      sum ^= window[i]; // the checksum makes it zero
+    }
+    if (window[0] != '@' || window[1] != '@' || (sum & 0xFF) != 0) {
+      return 0;
+    }
+    if (window[length - 2] != '\r' || window[length - 1] != '\n') {
+      return 0;
+    }
+    sink.command(id(), length == 8 ? window[4] & 0xFF : 0);
+    return length;
+  }
+
+  private String id() {
+    return new String(window, 2, 2, StandardCharsets.US_ASCII);
+  }
+}

@@ -1,0 +1,229 @@
+package org.dfra.sim.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Random;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.m12.M12PlusImpl;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * The real driver and the emulated receiver over TCP. Driver and receiver live by a clock that runs
+ * twenty times as fast, so that waits of seconds take no seconds.
+ */
+@Timeout(60)
+class M12DriverTest {
+
+  private static final GeoPosition PLACE = new GeoPosition(52.910313611, 6.866706667, 55.91);
+  private static final int SPEED = 20;
+
+  private final InstantSource clock = fastClock();
+  private M12Emulator emulator;
+  private Relay relay;
+
+  @BeforeEach
+  void start() throws IOException {
+    emulator = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), clock);
+    emulator.start();
+    relay = new Relay(emulator.port());
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    relay.close();
+    emulator.close();
+  }
+
+  @Test
+  void findsItsFirstFix() {
+    try (M12PlusImpl gps = driver(emulator.url(), Map.of())) {
+      gps.start();
+      awaitReadiness(gps, Readiness.READY);
+      GpsFix fix = gps.fix();
+      assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+      // half a milli-arc-second, what the receiver can tell
+      assertThat(gps.location().position().latitude()).isCloseTo(PLACE.latitude(), within(1.4e-7));
+      assertThat(gps.location().position().longitude())
+          .isCloseTo(PLACE.longitude(), within(1.4e-7));
+      assertThat(gps.location().position().height()).isEqualTo(55.91);
+      assertThat(fix.satellitesTracked()).isEqualTo(9);
+      // both live by the same clock: what is left is the way of the bytes and the looks at it
+      assertThat(gps.time().hostOffset()).isBetween(Duration.ZERO, Duration.ofSeconds(5));
+      await().until(() -> gps.receiver().isPresent());
+      assertThat(gps.receiver().orElseThrow().model()).isEqualTo("P283T12T11");
+      assertThat(gps.counts().malformed()).isZero();
+    }
+  }
+
+  @Test
+  void atItsOwnSpeedAndInRealTimeToo() throws IOException {
+    try (M12Emulator real = new M12Emulator(M12Settings.at(PLACE), Clock.systemUTC())) {
+      real.start();
+      ModuleContext context =
+          new ModuleContext(
+              "atrv1",
+              "gps_front",
+              Parameters.of("atrv1/gps_front", Map.of("link", real.url())),
+              Clock.systemUTC());
+      try (M12PlusImpl gps = new M12PlusImpl(context)) {
+        gps.start();
+        assertThat(gps.awaitReadiness(Duration.ofSeconds(10))).isEqualTo(Readiness.READY);
+        // 294 + 8 + 154 bytes at 960 bytes/s are 0.475 s
+        assertThat(gps.time().hostOffset()).isGreaterThan(Duration.ofMillis(400));
+      }
+    }
+  }
+
+  @Test
+  void waitsForAReceiverThatSearches() throws IOException {
+    M12Settings cold =
+        M12Settings.at(PLACE).withBaud(115_200).withTimeToFirstFix(Duration.ofSeconds(20));
+    try (M12Emulator searching = new M12Emulator(cold, clock);
+        M12PlusImpl gps = started(searching)) {
+      await()
+          .untilAsserted(
+              () ->
+                  assertThatThrownBy(gps::fix)
+                      .isInstanceOf(NotReadyException.class)
+                      .hasMessage(
+                          "atrv1/gps_front is INITIALIZING: the receiver has no position yet, it is"
+                              + " acquiring satellites, 2 of 11 tracked"));
+      awaitReadiness(gps, Readiness.READY);
+    }
+  }
+
+  @Test
+  void comesBackWhenTheLinkWasCutAndRestored() {
+    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
+      gps.start();
+      awaitReadiness(gps, Readiness.READY);
+      relay.cut();
+      awaitReadiness(gps, Readiness.INITIALIZING);
+      assertThatThrownBy(gps::fix)
+          .isInstanceOf(NotReadyException.class)
+          .hasMessageStartingWith("atrv1/gps_front is INITIALIZING: ");
+      relay.restore();
+      awaitReadiness(gps, Readiness.READY);
+      assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+    }
+  }
+
+  @Test
+  void comesBackWhenTheReceiverWasReplaced() throws IOException {
+    int port = emulator.port();
+    try (M12PlusImpl gps = driver(emulator.url(), Map.of())) {
+      gps.start();
+      awaitReadiness(gps, Readiness.READY);
+      emulator.close();
+      awaitReadiness(gps, Readiness.INITIALIZING);
+      GeoPosition elsewhere = new GeoPosition(-10, 20, 300);
+      M12Settings settings = M12Settings.at(elsewhere).withPort(port).withBaud(115_200);
+      try (M12Emulator next = new M12Emulator(settings, clock)) {
+        next.start();
+        awaitReadiness(gps, Readiness.READY);
+        assertThat(gps.location().position()).isEqualTo(elsewhere);
+      }
+    }
+  }
+
+  @Test
+  void noticesASilentReceiverAndItsReturn() {
+    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
+      gps.start();
+      awaitReadiness(gps, Readiness.READY);
+      relay.silence(true);
+      awaitReadiness(gps, Readiness.INITIALIZING);
+      relay.silence(false);
+      awaitReadiness(gps, Readiness.READY);
+    }
+  }
+
+  @Test
+  void readsOnThroughAStormOfGarbage() {
+    long seed = new Random().nextLong();
+    relay.garbage(new Random(seed));
+    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
+      gps.start();
+      awaitReadiness(gps, Readiness.READY);
+      await("seed " + seed).until(() -> gps.counts().droppedBytes() > 10_000);
+      relay.garbage(null);
+      awaitReadiness(gps, Readiness.READY);
+      assertThat(gps.location().position().height()).as("seed %d", seed).isEqualTo(55.91);
+    }
+  }
+
+  @Test
+  void followsAReceiverThatDrifts() throws IOException {
+    Instant begin = clock.instant();
+    M12Settings adrift =
+        M12Settings.at(PLACE)
+            .withBaud(115_200)
+            .withPath(AntennaPath.drifting(PLACE, begin, 0.6, 0.8));
+    try (M12Emulator boat = new M12Emulator(adrift, clock);
+        M12PlusImpl gps = started(boat)) {
+      awaitReadiness(gps, Readiness.READY);
+      assertThat(gps.fix().speed()).isEqualTo(1);
+      assertThat(gps.fix().course()).isCloseTo(53.1, within(0.05)); // tenths of a degree
+      double first = gps.location().position().latitude();
+      await().until(() -> gps.location().position().latitude() > first);
+    }
+  }
+
+  @Test
+  void closesWhileItWaitsToTryAgain() {
+    relay.cut();
+    try (M12PlusImpl gps =
+        driver(relay.url(), Map.of("reopen_first", "3600", "reopen_longest", "3600"))) {
+      gps.start();
+      awaitReadiness(gps, Readiness.INITIALIZING);
+    }
+    assertThat(Thread.getAllStackTraces().keySet())
+        .noneMatch(thread -> thread.getName().equals("gps_front reader"));
+  }
+
+  private M12PlusImpl started(M12Emulator receiver) throws IOException {
+    receiver.start();
+    M12PlusImpl gps = driver(receiver.url(), Map.of());
+    gps.start();
+    return gps;
+  }
+
+  private M12PlusImpl driver(String link, Map<String, String> more) {
+    Map<String, String> parameters = new HashMap<>(more);
+    parameters.put("link", link);
+    return new M12PlusImpl(
+        new ModuleContext(
+            "atrv1", "gps_front", Parameters.of("atrv1/gps_front", parameters), clock));
+  }
+
+  private static void awaitReadiness(M12PlusImpl gps, Readiness expected) {
+    await()
+        .atMost(Duration.ofSeconds(20))
+        .pollInterval(Duration.ofMillis(5))
+        .until(gps::readiness, expected::equals);
+  }
+
+  private static InstantSource fastClock() {
+    long begin = System.nanoTime();
+    Instant origin = Instant.parse("2026-01-21T07:33:29Z");
+    return () -> origin.plusNanos((System.nanoTime() - begin) * SPEED);
+  }
+}
