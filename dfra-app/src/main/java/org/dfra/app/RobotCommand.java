@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.concurrent.Callable;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
+import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.GroupStatus;
@@ -23,8 +24,8 @@ import picocli.CommandLine.Spec;
     description = "Launches a robot's service groups on this host.",
     footer = {
       "",
-      "Phoenix is started where none answers, and stays when this command ends. Running it",
-      "again does no harm; --down ends phoenix and every group of this host.",
+      "Phoenix is started where none answers, and stays when this command ends.",
+      "Running it again does no harm.",
     })
 final class RobotCommand implements Callable<Integer> {
 
@@ -33,8 +34,8 @@ final class RobotCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "ROBOT.XML",
       arity = "0..1",
-      description = "The robot's description, e.g. config/robots/atrv1.xml.")
-  private Path xml = Path.of("config", "robots", "atrv1.xml");
+      description = "The robot's description (default: the one of atrv1 that comes with DFRA).")
+  private Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
 
   @Option(names = "--down", description = "End phoenix and every group of this host.")
   private boolean down;
@@ -65,20 +66,21 @@ final class RobotCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, ActivationException {
     PrintWriter out = spec.commandLine().getOut();
+    RobotDescription robot = RobotXml.read(xml);
     PhoenixProcess phoenix =
-        new PhoenixProcess("localhost", port, registryPort, state.toAbsolutePath());
+        new PhoenixProcess(
+            HostAddress.resolve(robot.host()), port, registryPort, state.toAbsolutePath());
     if (down) {
       if (!phoenix.answers()) {
-        out.println("No phoenix answers on port " + port + "; nothing is up.");
+        out.println("No phoenix answers at " + phoenix.host() + ":" + port + "; nothing is up.");
         return 0;
       }
       phoenix.shutdown(PHOENIX_PATIENCE);
       out.println("Phoenix and its groups have ended.");
       return 0;
     }
-    RobotDescription robot = RobotXml.read(xml);
     if (phoenix.answers()) {
-      out.println("Phoenix answers on port " + port + ".");
+      out.println("Phoenix answers at " + phoenix.host() + ":" + port + ".");
     } else {
       long pid = phoenix.start(PHOENIX_PATIENCE).pid();
       out.println("Started phoenix: process " + pid + ", log " + phoenix.log() + ".");
