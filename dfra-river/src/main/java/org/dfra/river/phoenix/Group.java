@@ -320,7 +320,7 @@ final class Group {
     instantiator = null;
     adopted = false;
     endTurn();
-    lastFailure = how + "; see " + daemon.output(name);
+    lastFailure = how + "; see " + daemon.output(name) + " and the .vm.log beside it";
     changed.signalAll();
     if (crash) {
       crashes.crashed(how);
