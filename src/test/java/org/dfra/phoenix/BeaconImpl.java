@@ -71,8 +71,7 @@ public class BeaconImpl implements Beacon, ProxyAccessor {
     long pid = ProcessHandle.current().pid();
     try {
       FileChannel channel =
-          FileChannel.open(
-              Path.of(device), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+          FileChannel.open(Path.of(device), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
       String line = (channel.tryLock() != null ? "opened by " : "CONFLICT seen by ") + pid + "\n";
       Files.writeString(log, line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
       return channel;

@@ -51,7 +51,7 @@ import org.dfra.river.phoenix.PhoenixLocator;
  * phoenix. All its processes are known by the test's folder, which their command lines name; {@link
  * #close} ends every one of them by its number, also when the test has failed.
  */
-final class PhoenixFixture implements AutoCloseable {
+class PhoenixFixture implements AutoCloseable {
 
   /** How long a test waits for what takes a virtual machine's start. */
   static final Duration PATIENCE = Duration.ofSeconds(40);
