@@ -229,8 +229,10 @@ public final class ResurrectingHandler
       }
       return Objects.requireNonNull(constrain(found, constraints));
     } catch (UnknownObjectException e) {
-      throw withCause(
-          new NoSuchObjectException("the activation system does not know the object any more"), e);
+      NoSuchObjectException gone =
+          new NoSuchObjectException("the activation system does not know the object any more");
+      gone.detail = e; // a RemoteException takes no cause by initCause
+      throw gone;
     } catch (ActivationException e) {
       throw new ActivateFailedException("the object could not be activated", e);
     } catch (ActivateFailedException e) {
@@ -240,11 +242,6 @@ public final class ResurrectingHandler
     } catch (RemoteException e) {
       throw new ConnectIOException("the activation system did not answer", e);
     }
-  }
-
-  private static <T extends Throwable> T withCause(T exception, Throwable cause) {
-    exception.initCause(cause);
-    return exception;
   }
 
   private Object constrained(Object proxy, @Nullable MethodConstraints wanted) {

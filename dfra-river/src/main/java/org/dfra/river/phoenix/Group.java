@@ -26,6 +26,8 @@ final class Group {
 
   private static final Logger LOG = LoggerFactory.getLogger(Group.class);
 
+  private static final Duration NOTICE = Duration.ofSeconds(1);
+
   final ActivationGroupID id;
   final String name;
 
@@ -291,8 +293,24 @@ final class Group {
     if (condemned != null) {
       condemned.destroy(true);
       if (condemned.awaitDeath(daemon.configuration().groupTimeout())) {
+        awaitNotice(condemned);
         died(condemned, "could not be reached and was ended");
       }
+    }
+  }
+
+  /** Whoever watches the process knows better how it ended, and is about to tell. */
+  private void awaitNotice(ProcessIdentity dead) {
+    lock.lock();
+    try {
+      long nanos = NOTICE.toNanos();
+      while (nanos > 0 && dead.equals(process)) {
+        nanos = changed.awaitNanos(nanos);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      lock.unlock();
     }
   }
 

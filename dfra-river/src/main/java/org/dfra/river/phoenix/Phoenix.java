@@ -163,11 +163,12 @@ public final class Phoenix implements AutoCloseable {
    * The RMI registry where programs that know only {@code java.rmi.activation} find the system.
    *
    * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind does not
-   * pass. Binding here, in the registry's own virtual machine, meets no filter.
+   * pass. Its sockets see to the rest. Binding here, in the registry's own virtual machine, meets
+   * neither.
    */
   private static Registry readOnlyRegistry(int port, ActivationSystem system) throws IOException {
     System.setProperty("sun.rmi.registry.registryFilter", "!*");
-    Registry registry = LocateRegistry.createRegistry(port);
+    Registry registry = LocateRegistry.createRegistry(port, null, new ReadOnlySockets());
     registry.rebind(SYSTEM_NAME, system);
     return registry;
   }
