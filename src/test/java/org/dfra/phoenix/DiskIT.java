@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.dfra.river.phoenix.GroupStatus.State;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -33,7 +34,8 @@ class DiskIT {
             "mounting a small tmpfs needs root; without it %s",
             "the limit of a file's size has to do")
         .isZero();
-    try (PhoenixFixture phoenix = new PhoenixFixture(temp, onDisk(disk)).start()) {
+    try (PhoenixFixture phoenix =
+        new PhoenixFixture(temp).journalIn(disk.resolve("journal")).start()) {
       ActivationGroupID group = phoenix.group("disk");
       Beacon beacon = phoenix.beacon(group, "ok " + phoenix.device("disk"), false);
       Set<ActivationID> acknowledged = fill(phoenix, group, disk.toString());
@@ -66,10 +68,18 @@ class DiskIT {
     assumeThat(run("mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk.toString()))
         .as("mounting a small tmpfs needs root")
         .isZero();
-    try (PhoenixFixture phoenix = new PhoenixFixture(temp, onDisk(disk)).start()) {
+    try (PhoenixFixture phoenix =
+        new PhoenixFixture(temp).journalIn(disk.resolve("journal")).start()) {
       ActivationGroupID group = phoenix.group("disk");
       ActivationID object = phoenix.register(group, "ok " + phoenix.device("disk"), false);
+      Beacon leaver = phoenix.beacon(phoenix.group("leaver"), "ok", false);
+      long leaving = leaver.pid();
       Set<ActivationID> acknowledged = fill(phoenix, group, disk.toString());
+      leaver.deactivate();
+      PhoenixFixture.awaitDeath(leaving);
+      assertThat(phoenix.awaitStatus("leaver", s -> s.state() == State.IDLE).totalCrashes())
+          .as("crashes of a group that ended while nothing could be recorded")
+          .isZero();
       assertThatExceptionOfType(ActivationException.class)
           .as("a launch that cannot be recorded")
           .isThrownBy(() -> object.activate(false))
@@ -103,10 +113,6 @@ class DiskIT {
           .containsAll(acknowledged);
       register(phoenix, group);
     }
-  }
-
-  private static String[] onDisk(Path disk) {
-    return new String[] {"persistenceDirectory=\"" + disk.resolve("journal") + "\""};
   }
 
   private static Set<ActivationID> fill(

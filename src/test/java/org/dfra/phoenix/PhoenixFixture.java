@@ -63,6 +63,7 @@ class PhoenixFixture implements AutoCloseable {
   final int registryPort;
   private final List<String> overrides;
   private List<String> wrapper = List.of();
+  private Path journal;
   private Process process;
 
   /**
@@ -71,6 +72,7 @@ class PhoenixFixture implements AutoCloseable {
    */
   PhoenixFixture(Path folder, String... overrides) throws IOException {
     this.folder = folder.toRealPath();
+    this.journal = this.folder.resolve("journal");
     this.port = freePort();
     this.registryPort = freePort();
     this.overrides = List.of(overrides);
@@ -80,6 +82,12 @@ class PhoenixFixture implements AutoCloseable {
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       return socket.getLocalPort();
     }
+  }
+
+  /** Another folder for the journal, on a disk of its own. */
+  PhoenixFixture journalIn(Path other) {
+    journal = other;
+    return this;
   }
 
   /** A command to run phoenix's own command by. */
@@ -151,7 +159,7 @@ class PhoenixFixture implements AutoCloseable {
   }
 
   Path journal() {
-    return folder.resolve("journal");
+    return journal;
   }
 
   private Path log() {
