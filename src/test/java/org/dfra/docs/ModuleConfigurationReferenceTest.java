@@ -38,14 +38,12 @@ class ModuleConfigurationReferenceTest {
     private final Map<String, Asked> asked = new TreeMap<>();
 
     @Override
-    public Object getEntry(String component, String name, Class type)
-        throws NoSuchEntryException {
+    public Object getEntry(String component, String name, Class type) throws NoSuchEntryException {
       return getEntry(component, name, type, NO_DEFAULT);
     }
 
     @Override
-    public Object getEntry(
-        String component, String name, Class type, Object fallback, Object data)
+    public Object getEntry(String component, String name, Class type, Object fallback, Object data)
         throws NoSuchEntryException {
       return getEntry(component, name, type, fallback);
     }
