@@ -3,6 +3,9 @@ package org.dfra.slice;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Arrays;
@@ -79,9 +82,25 @@ class JoinTest {
         assertThat(registered(late)).hasSize(1);
       }
       try (EmbeddedReggie other = new EmbeddedReggie(port).start()) { // it knows nothing
-        await()
-            .atMost(Duration.ofSeconds(20))
-            .untilAsserted(() -> assertThat(registered(other)).hasSize(1));
+        await().atMost(PATIENCE).untilAsserted(() -> assertThat(registered(other)).hasSize(1));
+      }
+    }
+  }
+
+  @Test
+  void joinsALookupServiceThatWasSilentAtFirst() throws Exception {
+    try (ServerSocket silent = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
+      int port = silent.getLocalPort(); // the system accepts connections, nobody ever answers
+      ServedModule<ThermometerServer> module = thermometer().joining("jini://127.0.0.1:" + port);
+      try (ThermometerServer server = module.serve();
+          Socket first = silent.accept()) {
+        silent.close();
+        try (EmbeddedReggie late = new EmbeddedReggie(port).start()) {
+          await()
+              .atMost(PATIENCE)
+              .untilAsserted(
+                  () -> assertThat(registered(late)).as("%s at %s", server, first).hasSize(1));
+        }
       }
     }
   }

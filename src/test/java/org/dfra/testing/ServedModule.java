@@ -61,9 +61,14 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /** The same with another parameter for its driver. */
   public ServedModule<S> with(String parameter, String value) {
+    return with(parameter, value, Place.CODE);
+  }
+
+  /** The same with another parameter for its driver, as if it were written at that place. */
+  public ServedModule<S> with(String parameter, String value, Place place) {
     ModuleDescription old = activation.module();
     Map<String, Parameters.Value> values = new TreeMap<>(old.parameters().all());
-    values.put(parameter, new Parameters.Value(value, old.place()));
+    values.put(parameter, new Parameters.Value(value, place));
     return described(
         new ModuleDescription(
             old.robot(),
@@ -84,6 +89,18 @@ public record ServedModule<S extends ModuleServer<?>>(
         new ModuleActivation(
             description,
             activation.id(),
+            activation.host(),
+            activation.lookupGroups(),
+            activation.locators()));
+  }
+
+  /** The same under another identity. */
+  public ServedModule<S> identified(UUID id) {
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            activation.module(),
+            id,
             activation.host(),
             activation.lookupGroups(),
             activation.locators()));

@@ -244,12 +244,14 @@ public abstract class ModuleServer<M extends Module>
           ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
           : known;
     } else if (failure instanceof net.jini.config.ConfigurationException) {
+      String message = String.valueOf(failure.getMessage());
+      String file = String.valueOf(description.configuration());
       return fault(
           description,
           "its Jini configuration "
-              + description.configuration()
-              + " cannot be used: "
-              + failure.getMessage(),
+              + (message.contains(file) ? "" : file + " ")
+              + "cannot be used: "
+              + message,
           failure);
     } else if (failure instanceof IOException && !(failure instanceof RemoteException)) {
       return fault(description, String.valueOf(failure.getMessage()), failure);
