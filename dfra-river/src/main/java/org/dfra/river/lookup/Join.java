@@ -54,7 +54,7 @@ public final class Join implements AutoCloseable {
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
               new LeaseRenewalManager(configuration),
-              configuration));
+              RobotPace.configuration(configuration)));
     } catch (IOException | ConfigurationException | RuntimeException e) {
       discovery.terminate();
       throw e;
