@@ -159,11 +159,13 @@ class GroupVmIT {
     ActivationGroupID group = phoenix.group("slow");
     Beacon quick = phoenix.beacon(group, "ok", false);
     Beacon leaver = phoenix.beacon(group, "ok", false);
-    ActivationID slow = phoenix.register(group, "slow", false);
+    ActivationID slow = phoenix.register(group, "slow " + phoenix.device("slow"), false);
     ExecutorService threads = Executors.newCachedThreadPool();
     try {
       Future<?> being = threads.submit(() -> slow.activate(false));
-      // Once the descriptor has been asked for, the constructor runs or is about to.
+      await("the slow constructor runs")
+          .atMost(PhoenixFixture.PATIENCE)
+          .until(() -> Files.exists(Path.of(phoenix.device("slow") + ".log")));
       long began = System.nanoTime();
       leaver.deactivate();
       for (int i = 0; i < 5; i++) {
@@ -183,6 +185,7 @@ class GroupVmIT {
     ActivationGroupID group = phoenix.group("broken");
     ActivationID id = phoenix.register(group, "ok", false);
     Beacon beacon = (Beacon) id.activate(false);
+    PhoenixFixture.kill(beacon.pid()); // from now on each call wants the object made
     assertFailure(
         beacon, id, PhoenixFixture.desc(group, "throws", false), "the receiver is not plugged in");
     assertFailure(
@@ -207,13 +210,6 @@ class GroupVmIT {
   private void assertFailure(Beacon beacon, ActivationID id, ActivationDesc desc, String words)
       throws Exception {
     phoenix.system().setActivationDesc(id, desc);
-    GroupStatus status = phoenix.status("broken");
-    if (status.pid() > 0) {
-      PhoenixFixture.kill(status.pid());
-      phoenix.awaitStatus("broken", s -> s.state() == State.IDLE);
-      // Kills are no matter here; a group that is held off would be.
-      phoenix.awaitStatus("broken", s -> s.heldOffUntil() == null);
-    }
     assertThatExceptionOfType(ActivateFailedException.class)
         .as("%s", desc.getClassName())
         .isThrownBy(beacon::pid)
@@ -402,6 +398,6 @@ class GroupVmIT {
         .isThrownBy(() -> phoenix.beacon(group, "ok", true))
         .withMessageMatching(
             "(?s)group \\d+-nojava cannot be started: Cannot run program \"/no/such/java\""
-                + ".*No such file or directory; mend its command.*");
+                + ".*No such file or directory.*; mend its command.*");
   }
 }

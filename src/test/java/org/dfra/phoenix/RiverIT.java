@@ -6,10 +6,12 @@ import static org.awaitility.Awaitility.await;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.MarshalledObject;
+import java.rmi.UnmarshalException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.util.List;
+import java.util.concurrent.Callable;
 import net.jini.activation.ActivatableInvocationHandler;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
@@ -44,13 +46,13 @@ class RiverIT {
         .isInstanceOf(ActivatableInvocationHandler.class);
     long pid = beacon.pid();
     PhoenixFixture.kill(pid);
-    long next = beacon.pid();
+    long next = again(beacon::pid);
     assertThat(next).as("after kill -9 of the group").isNotEqualTo(pid);
     phoenix.kill();
     phoenix.start();
     assertThat(beacon.pid()).as("after a restart of phoenix").isEqualTo(next);
     PhoenixFixture.kill(next);
-    assertThat(beacon.pid()).as("through the proxy of a former phoenix").isNotEqualTo(next);
+    assertThat(again(beacon::pid)).as("through the proxy of a former phoenix").isNotEqualTo(next);
     beacon.deactivate();
     phoenix.awaitStatus("stock", s -> s.state() == org.dfra.river.phoenix.GroupStatus.State.IDLE);
     assertThat(beacon.pid()).as("after it became inactive").isPositive();
@@ -90,7 +92,7 @@ class RiverIT {
     long pid = phoenix.status("registrar").pid();
     PhoenixFixture.kill(pid);
     ServiceTemplate mine = new ServiceTemplate(service, null, null);
-    assertThat(registrar.lookup(mine)).as("by the same proxy").isEqualTo("a service");
+    assertThat(again(() -> registrar.lookup(mine))).as("by the same proxy").isEqualTo("a service");
     assertThat(phoenix.status("registrar").pid()).isNotEqualTo(pid);
     await("unicast discovery after the kill")
         .atMost(PhoenixFixture.PATIENCE)
@@ -106,8 +108,22 @@ class RiverIT {
     phoenix.kill();
     PhoenixFixture.kill(phoenix.vms("registrar").get(0));
     phoenix.start();
-    assertThat(registrar.lookup(mine)).as("after both were killed").isEqualTo("a service");
+    assertThat(again(() -> registrar.lookup(mine)))
+        .as("after both were killed")
+        .isEqualTo("a service");
     assertThat(registrar.getServiceID()).isEqualTo(registrarId);
     assertThat(List.of(phoenix.vms("registrar"))).hasSize(1);
+  }
+
+  /**
+   * A call after a kill. The client may still take the connection for good and send on it: such a
+   * call may have run, so it is not River's to repeat, but the caller's.
+   */
+  private static <T> T again(Callable<T> call) throws Exception {
+    try {
+      return call.call();
+    } catch (UnmarshalException e) {
+      return call.call();
+    }
   }
 }
