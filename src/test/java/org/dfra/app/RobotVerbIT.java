@@ -40,6 +40,10 @@ class RobotVerbIT {
           .contains("Up: t1/warmth in group one.", "Group 1-t1.one: process ");
       assertThat(processes.living()).as("phoenix and one group").hasSize(2);
 
+      assertThat(folder.resolve("state/phoenix.host"))
+          .as("phoenix is where the robot's proxies can be reached, not where it likes")
+          .hasContent("127.0.0.1");
+
       String locator = "jini://127.0.0.1:" + registrar;
       try (ModuleFinder finder =
           new ModuleFinder("127.0.0.1", java.util.List.of(), java.util.List.of(locator))) {
