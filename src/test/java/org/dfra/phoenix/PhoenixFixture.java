@@ -293,12 +293,23 @@ class PhoenixFixture implements AutoCloseable {
     awaitDeath(pid);
   }
 
-  /** Waits for a process's end. */
+  /** Waits until a process has ended, and its connections with it; it may still be unburied. */
   static void awaitDeath(long pid) {
     await("end of process " + pid)
         .atMost(PATIENCE)
         .pollInterval(Duration.ofMillis(10))
-        .until(() -> arguments(pid).stream().allMatch(String::isEmpty));
+        .until(() -> hasEnded(pid));
+  }
+
+  /** A process gives its files back before it becomes a zombie, but after its command line. */
+  private static boolean hasEnded(long pid) {
+    try {
+      String stat = Files.readString(Path.of("/proc", Long.toString(pid), "stat"));
+      char state = stat.charAt(stat.lastIndexOf(')') + 2);
+      return state == 'Z' || state == 'X';
+    } catch (IOException e) {
+      return true;
+    }
   }
 
   /** The file of a beacon's device; its {@code .log} tells who opened it. */
