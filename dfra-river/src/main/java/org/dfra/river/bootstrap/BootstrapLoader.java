@@ -10,6 +10,7 @@ import java.rmi.activation.ActivationGroupDesc.CommandEnvironment;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -101,11 +102,13 @@ final class BootstrapLoader {
       throws ActivationException, IOException {
     @Nullable ActivationID known = null;
     UUID identity = UUID.randomUUID();
+    Instant created = Instant.now();
     for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
       Optional<ModuleActivation> data = activationData(each.getValue());
       if (data.isPresent() && data.get().module().name().equals(module.name())) {
         known = each.getKey();
         identity = data.get().id();
+        created = data.get().created();
       }
     }
     ActivationDesc desc =
@@ -114,7 +117,7 @@ final class BootstrapLoader {
             module.serverClass(),
             null,
             new MarshalledObject<>(
-                new ModuleActivation(module, identity, host, lookupGroups, locators)),
+                new ModuleActivation(module, identity, created, host, lookupGroups, locators)),
             module.restart());
     return new Service(module.path(), group.name(), register(known, desc));
   }

@@ -11,7 +11,6 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.discovery.DiscoveryManagement;
 import net.jini.lease.LeaseRenewalManager;
 import net.jini.lookup.JoinManager;
-import net.jini.lookup.entry.Name;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
@@ -29,7 +28,7 @@ public final class Join implements AutoCloseable {
    *
    * @param proxy what clients get
    * @param id the module's identity, the same after every restart
-   * @param name the module's path, {@code robot/name}
+   * @param attributes what it is registered with
    * @param groups discovery groups; none if empty
    * @param locators {@code jini://host:port} each
    * @param configuration entries of River's own components, such as {@code
@@ -39,7 +38,7 @@ public final class Join implements AutoCloseable {
   public static Join join(
       Serializable proxy,
       UUID id,
-      String name,
+      Entry[] attributes,
       List<String> groups,
       List<String> locators,
       Configuration configuration)
@@ -50,7 +49,7 @@ public final class Join implements AutoCloseable {
           discovery,
           new JoinManager(
               proxy,
-              new Entry[] {new Name(name)},
+              attributes,
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
               new LeaseRenewalManager(configuration),
@@ -59,6 +58,16 @@ public final class Join implements AutoCloseable {
       discovery.terminate();
       throw e;
     }
+  }
+
+  /** What the module is registered with. */
+  public Entry[] attributes() {
+    return manager.getAttributes();
+  }
+
+  /** Registers the module with other attributes from now on. Returns at once. */
+  public void setAttributes(Entry[] attributes) {
+    manager.setAttributes(attributes);
   }
 
   /** Takes the module out of every lookup service it joined. */

@@ -6,6 +6,7 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -25,7 +26,6 @@ import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.lookup.Join;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
@@ -86,14 +86,10 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
           proxy(description, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
-      undo.push(
-          Join.join(
-              proxy,
-              activation.id(),
-              path,
-              activation.lookupGroups(),
-              activation.locators(),
-              configuration));
+      ModulePresence presence =
+          new ModulePresence(
+              driver, proxy, activation, Instant.now(), landlord::clients, configuration);
+      undo.push(presence);
 
       // Step 6: the landlord.
       landlord.start();
