@@ -8,17 +8,16 @@ import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
-import net.jini.discovery.DiscoveryManagement;
 import net.jini.lease.LeaseRenewalManager;
 import net.jini.lookup.JoinManager;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
 
-  private final DiscoveryManagement discovery;
+  private final Discovery discovery;
   private final JoinManager manager;
 
-  private Join(DiscoveryManagement discovery, JoinManager manager) {
+  private Join(Discovery discovery, JoinManager manager) {
     this.discovery = discovery;
     this.manager = manager;
   }
@@ -43,7 +42,8 @@ public final class Join implements AutoCloseable {
       List<String> locators,
       Configuration configuration)
       throws IOException, ConfigurationException {
-    DiscoveryManagement discovery = Discovery.begin(groups, locators, configuration);
+    Configuration timed = new Defaults(configuration);
+    Discovery discovery = Discovery.begin(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
       return new Join(
           discovery,
@@ -52,12 +52,17 @@ public final class Join implements AutoCloseable {
               attributes,
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
-              new LeaseRenewalManager(configuration),
-              configuration));
+              new LeaseRenewalManager(timed),
+              timed));
     } catch (IOException | ConfigurationException | RuntimeException e) {
       discovery.terminate();
       throw e;
     }
+  }
+
+  /** How lookup services are found; what is changed there counts at once. */
+  public Discovery discovery() {
+    return discovery;
   }
 
   /** What the module is registered with. */

@@ -20,6 +20,7 @@ import net.jini.core.lease.LeaseDeniedException;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Identification;
@@ -88,7 +89,15 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
       // Step 5: discovery and join.
       ModulePresence presence =
           new ModulePresence(
-              driver, proxy, activation, Instant.now(), landlord::clients, configuration);
+              new SelfDescription(
+                  driver,
+                  activation.host(),
+                  activation.created(),
+                  Instant.now(),
+                  landlord::clients),
+              proxy,
+              activation,
+              configuration);
       undo.push(presence);
 
       // Step 6: the landlord.
