@@ -26,6 +26,17 @@ public interface ModuleDirectory extends AutoCloseable {
   <M extends Module> Optional<ModuleListing<M>> findFirst(ModuleQuery<M> query, Duration patience)
       throws InterruptedException;
 
+  /**
+   * The best module of a kind itself, waiting for one if there is none.
+   *
+   * @param patience how long to wait
+   * @return nothing where none was found in time
+   */
+  default <M extends Module> Optional<M> find(Class<M> kind, Duration patience)
+      throws InterruptedException {
+    return findFirst(ModuleQuery.of(kind), patience).map(ModuleListing::module);
+  }
+
   /** Has a listener told of the modules that match, until the watch or the directory is closed. */
   <M extends Module> Watch listen(ModuleQuery<M> query, DirectoryListener<M> listener);
 

@@ -5,8 +5,6 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
 import org.dfra.directory.ModuleDirectory;
-import org.dfra.directory.ModuleListing;
-import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.module.Readiness;
@@ -32,8 +30,7 @@ final class PositionClient implements AutoCloseable {
     ModuleDirectory directory = new JiniModuleDirectory(Stage.HOST, List.of(), List.of(locator));
     GPSSensor gps =
         directory
-            .findFirst(ModuleQuery.of(GPSSensor.class), patience)
-            .map(ModuleListing::module)
+            .find(GPSSensor.class, patience)
             .orElseThrow(() -> new IOException("no GPS receiver was found at " + locator));
     return new PositionClient(directory, gps);
   }

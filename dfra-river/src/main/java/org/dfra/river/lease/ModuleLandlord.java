@@ -7,6 +7,7 @@ import com.sun.jini.landlord.LeaseFactory;
 import com.sun.jini.landlord.LeasePeriodPolicy;
 import com.sun.jini.landlord.LeasedResource;
 import com.sun.jini.landlord.LocalLandlord;
+import java.math.BigDecimal;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Map;
@@ -121,12 +122,17 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
       throw new LeaseDeniedException(
           module
               + ": lease "
-              + (duration == Lease.FOREVER ? "for ever" : duration / 1000.0 + " s")
-              + (duration < 1 ? " is not above 0" : " > longest allowed " + longest / 1000.0 + " s")
+              + (duration == Lease.FOREVER ? "for ever" : seconds(duration))
+              + (duration < 1 ? " is not above 0" : " > longest allowed " + seconds(longest))
               + "; ask for "
-              + longest / 1000.0
-              + " s or less");
+              + seconds(longest)
+              + " or less");
     }
+  }
+
+  /** 30 s rather than 30.0 s. */
+  private static String seconds(long millis) {
+    return BigDecimal.valueOf(millis, 3).stripTrailingZeros().toPlainString() + " s";
   }
 
   @Override

@@ -33,8 +33,6 @@ public final class Discovery
   /** How long to wait before a locator where nobody answered is tried again. */
   public static final Duration LOCATOR_RETRY = Duration.ofSeconds(1);
 
-  private static final Duration LOCATOR_TIMEOUT = Duration.ofSeconds(2);
-
   private final Configuration configuration;
   private final Duration retry;
   private final List<DiscoveryListener> listeners = new CopyOnWriteArrayList<>();
@@ -225,7 +223,7 @@ public final class Discovery
   public synchronized void addLocators(LookupLocator[] locators) {
     for (LookupLocator each : locators) {
       if (!ended && searches.stream().noneMatch(search -> search.locator().equals(each))) {
-        LocatorSearch search = new LocatorSearch(each, retry, LOCATOR_TIMEOUT, this::add);
+        LocatorSearch search = new LocatorSearch(each, retry, this::add);
         searches.add(search);
         search.start();
       }

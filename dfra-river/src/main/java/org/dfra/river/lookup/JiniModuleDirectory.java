@@ -81,7 +81,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
               settings.groups(),
               settings.locators(),
               settings.locatorRetry(),
-              new Defaults(EmptyConfiguration.INSTANCE));
+              RobotPace.configuration(EmptyConfiguration.INSTANCE));
     } catch (ConfigurationException e) {
       throw new AssertionError("an empty configuration has no faults", e);
     }

@@ -42,7 +42,7 @@ public final class Join implements AutoCloseable {
       List<String> locators,
       Configuration configuration)
       throws IOException, ConfigurationException {
-    Configuration timed = new Defaults(configuration);
+    Configuration timed = RobotPace.configuration(configuration);
     Discovery discovery = Discovery.begin(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
       return new Join(

@@ -26,7 +26,6 @@ final class LocatorSearch implements AutoCloseable {
 
   private final LookupLocator locator;
   private final Duration retry;
-  private final int timeoutMillis;
   private final Consumer<ServiceRegistrar> finder;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
@@ -38,14 +37,11 @@ final class LocatorSearch implements AutoCloseable {
 
   /**
    * @param retry how long to wait before it is tried again
-   * @param timeout how long the lookup service may take to answer
    * @param finder is told of the lookup service, on the search's thread
    */
-  LocatorSearch(
-      LookupLocator locator, Duration retry, Duration timeout, Consumer<ServiceRegistrar> finder) {
+  LocatorSearch(LookupLocator locator, Duration retry, Consumer<ServiceRegistrar> finder) {
     this.locator = locator;
     this.retry = retry;
-    this.timeoutMillis = (int) timeout.toMillis();
     this.finder = finder;
     this.thread =
         new Thread(this::run, "dfra-locator-" + locator.getHost() + ":" + locator.getPort());
@@ -130,8 +126,9 @@ final class LocatorSearch implements AutoCloseable {
   private @Nullable ServiceRegistrar look() {
     try {
       ServiceRegistrar registrar =
-          new ConstrainableLookupLocator(locator.getHost(), locator.getPort(), null)
-              .getRegistrar(timeoutMillis);
+          new ConstrainableLookupLocator(
+                  locator.getHost(), locator.getPort(), RobotPace.ofLocators())
+              .getRegistrar();
       complained = false;
       return registrar;
     } catch (IOException | ClassNotFoundException | RuntimeException e) {

@@ -3,30 +3,49 @@ package org.dfra.river.lookup;
 import java.util.Map;
 import java.util.function.Supplier;
 import net.jini.config.AbstractConfiguration;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.config.EmptyConfiguration;
 import net.jini.config.NoSuchEntryException;
 import org.jspecify.annotations.Nullable;
 
 /** A Jini configuration made in code: each entry is supplied anew whenever it is asked for. */
-final class SuppliedConfiguration extends AbstractConfiguration {
+public final class SuppliedConfiguration extends AbstractConfiguration {
 
+  private final Configuration first;
   private final Map<String, Supplier<?>> entries;
 
   /**
    * @param entries suppliers by {@code component.entry}
    */
-  SuppliedConfiguration(Map<String, Supplier<?>> entries) {
+  public SuppliedConfiguration(Map<String, Supplier<?>> entries) {
+    this(EmptyConfiguration.INSTANCE, entries);
+  }
+
+  /**
+   * @param first what it says goes before the entries
+   * @param entries suppliers by {@code component.entry}
+   */
+  public SuppliedConfiguration(Configuration first, Map<String, Supplier<?>> entries) {
+    this.first = first;
     this.entries = Map.copyOf(entries);
   }
 
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
-  protected Object getEntryInternal(
+  protected @Nullable Object getEntryInternal(
       String component, String name, Class type, @Nullable Object data)
-      throws NoSuchEntryException {
-    Supplier<?> supplier = entries.get(component + "." + name);
-    if (supplier == null) {
-      throw new NoSuchEntryException("no entry " + component + "." + name);
+      throws ConfigurationException {
+    @Nullable Object value;
+    try {
+      value = first.getEntry(component, name, type, NO_DEFAULT, data);
+    } catch (NoSuchEntryException e) {
+      Supplier<?> supplier = entries.get(component + "." + name);
+      if (supplier == null) {
+        throw e;
+      }
+      value = supplier.get();
     }
-    return supplier.get();
+    return type.isPrimitive() ? new Primitive(value) : value; // so River tells long from Long
   }
 }
