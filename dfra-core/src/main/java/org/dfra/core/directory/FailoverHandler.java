@@ -90,6 +90,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
   private @Nullable Object call(ModuleListing<M> target, Method method, Object @Nullable [] args)
       throws Throwable {
     try {
+      method.setAccessible(true); // the interface may be private to its package
       @Nullable Object answer = method.invoke(target.module(), args);
       last = target.id();
       return answer;
