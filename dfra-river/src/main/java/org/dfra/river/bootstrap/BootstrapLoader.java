@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.TreeMap;
 import java.util.UUID;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
@@ -94,7 +95,7 @@ final class BootstrapLoader {
   /** Registers a module. */
   Service module(
       ActivationGroupID groupId,
-      GroupDescription group,
+      String group,
       ModuleDescription module,
       String host,
       List<String> locators,
@@ -119,7 +120,44 @@ final class BootstrapLoader {
             new MarshalledObject<>(
                 new ModuleActivation(module, identity, created, host, lookupGroups, locators)),
             module.restart());
-    return new Service(module.path(), group.name(), register(known, desc));
+    return new Service(module.path(), group, register(known, desc));
+  }
+
+  /**
+   * A module that is registered.
+   *
+   * @param groupId its group's ID
+   * @param group its group's name, without the robot's
+   */
+  record Registered(
+      ActivationID id, ActivationGroupID groupId, String group, ModuleActivation activation) {}
+
+  /** The robot's modules that are registered now, by name. */
+  Map<String, Registered> registered() throws ActivationException, RemoteException {
+    Map<String, Registered> modules = new TreeMap<>();
+    String prefix = robot + ".";
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
+    for (Map.Entry<ActivationGroupID, ActivationGroupDesc> group : groups.entrySet()) {
+      @Nullable Properties properties = group.getValue().getPropertyOverrides();
+      @Nullable String name =
+          properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
+      if (name != null && name.startsWith(prefix)) {
+        for (Map.Entry<ActivationID, ActivationDesc> each : objects(group.getKey()).entrySet()) {
+          activationData(each.getValue())
+              .ifPresent(
+                  data ->
+                      modules.put(
+                          data.module().name(),
+                          new Registered(
+                              each.getKey(),
+                              group.getKey(),
+                              name.substring(prefix.length()),
+                              data)));
+        }
+      }
+    }
+    return modules;
   }
 
   private ActivationID register(@Nullable ActivationID known, ActivationDesc desc)

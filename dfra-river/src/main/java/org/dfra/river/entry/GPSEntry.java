@@ -2,6 +2,7 @@ package org.dfra.river.entry;
 
 import java.util.List;
 import net.jini.entry.AbstractEntry;
+import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -10,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * any value in a template.
  */
 @Mirrors(GpsReceiverAttributes.class)
-public class GPSEntry extends AbstractEntry {
+public class GPSEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 

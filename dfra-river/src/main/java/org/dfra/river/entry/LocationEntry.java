@@ -1,6 +1,7 @@
 package org.dfra.river.entry;
 
 import net.jini.entry.AbstractEntry;
+import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.persona.LocationAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -9,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * value in a template.
  */
 @Mirrors(LocationAttributes.class)
-public class LocationEntry extends AbstractEntry {
+public class LocationEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 

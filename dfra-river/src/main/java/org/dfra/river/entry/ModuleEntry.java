@@ -1,6 +1,7 @@
 package org.dfra.river.entry;
 
 import net.jini.entry.AbstractEntry;
+import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.jspecify.annotations.Nullable;
@@ -10,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * a template.
  */
 @Mirrors(ModuleAttributes.class)
-public class ModuleEntry extends AbstractEntry {
+public class ModuleEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 

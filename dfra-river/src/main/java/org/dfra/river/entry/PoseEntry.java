@@ -1,6 +1,7 @@
 package org.dfra.river.entry;
 
 import net.jini.entry.AbstractEntry;
+import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -9,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * template.
  */
 @Mirrors(PoseAttributes.class)
-public class PoseEntry extends AbstractEntry {
+public class PoseEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 

@@ -209,7 +209,11 @@ public final class ActivationGroupImpl extends ActivationGroup {
         return false;
       }
       // Until the daemon knows, nobody may make the object again: the lock is held meanwhile.
-      super.inactiveObject(object);
+      try {
+        super.inactiveObject(object);
+      } catch (UnknownObjectException e) {
+        LOG.debug("{} was unregistered before it became inactive.", object);
+      }
       slot.object = null;
       slot.proxy = null;
     }

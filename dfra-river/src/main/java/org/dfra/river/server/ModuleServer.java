@@ -57,6 +57,7 @@ public abstract class ModuleServer<M extends Module>
   private final M module;
   private final Remote remote;
   private final ModuleLandlord landlord;
+  private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
 
   /**
@@ -110,6 +111,9 @@ public abstract class ModuleServer<M extends Module>
               activation,
               configuration);
       undo.push(presence);
+      this.administration =
+          new ModuleAdministration(presence, activation.host(), id, exporter, this);
+      undo.push(administration);
 
       // Step 6: the landlord.
       landlord.start();
@@ -308,6 +312,12 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Object getProxy() {
     return remote;
+  }
+
+  /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
+  @Override
+  public final Object getAdmin() throws RemoteException {
+    return administration.stub();
   }
 
   @Override
