@@ -9,11 +9,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -45,9 +46,10 @@ class RobotVerbIT {
           .hasContent("127.0.0.1");
 
       String locator = "jini://127.0.0.1:" + registrar;
-      try (ModuleFinder finder =
-          new ModuleFinder("127.0.0.1", java.util.List.of(), java.util.List.of(locator))) {
-        Thermometer found = finder.find(Thermometer.class, PATIENCE).orElseThrow();
+      try (JiniModuleDirectory finder =
+          new JiniModuleDirectory("127.0.0.1", java.util.List.of(), java.util.List.of(locator))) {
+        Thermometer found =
+            finder.findFirst(ModuleQuery.of(Thermometer.class), PATIENCE).orElseThrow().module();
         assertThat(found.celsius()).isEqualTo(17);
       }
 

@@ -35,7 +35,9 @@ class ExamplesTest {
               "java.util.List",
               "org.dfra.flow.sensor.GPSSensor",
               "org.dfra.flow.sensor.GpsFix",
-              "org.dfra.river.lookup.ModuleFinder")
+              "org.dfra.directory.ModuleDirectory",
+              "org.dfra.directory.ModuleQuery",
+              "org.dfra.river.lookup.JiniModuleDirectory")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
 

@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import net.jini.config.Configuration;
 import net.jini.config.NoSuchEntryException;
+import net.jini.core.entry.Entry;
 import net.jini.discovery.DiscoveryGroupManagement;
 import net.jini.discovery.LookupDiscovery;
 import org.dfra.river.lease.ModuleLandlord;
@@ -105,7 +106,7 @@ class ModuleConfigurationReferenceTest {
             Join.join(
                 "no proxy, but serializable",
                 UUID.randomUUID(),
-                "robot/module",
+                new Entry[0],
                 List.of(),
                 List.of("jini://" + host + ":1"), // nobody is there
                 recorder)) {

@@ -29,6 +29,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.lookup.entry.Name;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotXml;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
@@ -38,7 +39,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.RobotBootstrap;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.sim.device.M12Emulator;
 import org.dfra.sim.device.M12Settings;
@@ -169,14 +170,15 @@ class RobotBootstrapIT {
     return found;
   }
 
-  private static ModuleFinder finder(int port) throws IOException {
-    return new ModuleFinder(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
+  private static JiniModuleDirectory finder(int port) throws IOException {
+    return new JiniModuleDirectory(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
   }
 
   @Test
   void itsModulesAreFoundByWhatTheyCanDo() throws Exception {
-    try (ModuleFinder finder = finder(port)) {
-      GPSSensor gps = finder.find(GPSSensor.class, PATIENCE).orElseThrow();
+    try (JiniModuleDirectory finder = finder(port)) {
+      GPSSensor gps =
+          finder.findFirst(ModuleQuery.of(GPSSensor.class), PATIENCE).orElseThrow().module();
       assertThat(gps.identification().path()).isEqualTo("alpha/gps_front");
       assertThat(gps.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
       // Half a milliarcsecond is 1.4e-7 degree.
@@ -203,8 +205,9 @@ class RobotBootstrapIT {
 
   @Test
   void aChangedParameterCountsFromTheNextActivationOn() throws Exception {
-    try (ModuleFinder finder = finder(port)) {
-      Thermometer cellar = finder.find(Thermometer.class, PATIENCE).orElseThrow();
+    try (JiniModuleDirectory finder = finder(port)) {
+      Thermometer cellar =
+          finder.findFirst(ModuleQuery.of(Thermometer.class), PATIENCE).orElseThrow().module();
       double before = cellar.celsius();
       Map<String, ServiceID> known = registered(port);
 
@@ -363,8 +366,14 @@ class RobotBootstrapIT {
     // Phoenix itself is on the loopback here, and its activator is a part of every proxy.
     assertThat(wire(roof.server().use(1000))).contains(host).doesNotContain("127.");
 
-    try (ModuleFinder finder = finder(port)) { // robot alpha says 127.0.0.1
-      assertThat(wire(finder.find(GPSSensor.class, PATIENCE).orElseThrow())).contains("127.0.0.1");
+    try (JiniModuleDirectory finder = finder(port)) { // robot alpha says 127.0.0.1
+      assertThat(
+              wire(
+                  finder
+                      .findFirst(ModuleQuery.of(GPSSensor.class), PATIENCE)
+                      .orElseThrow()
+                      .module()))
+          .contains("127.0.0.1");
     }
   }
 

@@ -27,7 +27,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Identification;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.GPSProxy;
 import org.dfra.river.remote.RemoteGPSSensor;
 import org.dfra.river.server.GPSServer;
@@ -50,7 +50,7 @@ class FiveClassesTest {
 
   private static M12Emulator receiver;
   private static GPSServer server;
-  private static ModuleFinder finder;
+  private static JiniModuleDirectory directory;
 
   /** From the lookup service, so that it came through JERI's streams. */
   private static GPSProxy found;
@@ -63,15 +63,15 @@ class FiveClassesTest {
     receiver = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), Instant::now);
     receiver.start();
     server = gps(receiver.url()).serve();
-    finder = REGGIE.finder();
-    found = (GPSProxy) finder.find(GPSSensor.class, PATIENCE).orElseThrow();
+    directory = REGGIE.directory();
+    found = (GPSProxy) directory.find(GPSSensor.class, PATIENCE).orElseThrow();
     elsewhere = new GPSProxy(found.server(), UUID.randomUUID(), found.identification());
     assertThat(elsewhere.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
   }
 
   @AfterAll
   static void switchOff() {
-    finder.close();
+    directory.close();
     server.close();
     receiver.close();
   }
@@ -90,10 +90,11 @@ class FiveClassesTest {
 
   @Test
   void isFoundByWhatItCanDoAndByNothingElse() throws Exception {
-    assertThat(finder.find(GPSSensor.class, PATIENCE)).contains(found);
-    assertThat(finder.find(LocationSensor.class, PATIENCE).map(Object.class::cast)).contains(found);
-    assertThat(finder.find(TimeSensor.class, PATIENCE).map(Object.class::cast)).contains(found);
-    assertThat(finder.find(Thermometer.class, Duration.ofMillis(100))).isEmpty();
+    assertThat(directory.find(GPSSensor.class, PATIENCE)).contains(found);
+    assertThat(directory.find(LocationSensor.class, PATIENCE).map(Object.class::cast))
+        .contains(found);
+    assertThat(directory.find(TimeSensor.class, PATIENCE).map(Object.class::cast)).contains(found);
+    assertThat(directory.find(Thermometer.class, Duration.ofMillis(100))).isEmpty();
   }
 
   @Test
@@ -134,7 +135,7 @@ class FiveClassesTest {
     assertThat(found.identification()).isEqualTo(expected).isSameAs(found.identification());
     ThermometerProxy orphan;
     try (ThermometerServer closed = thermometer().serve()) {
-      orphan = (ThermometerProxy) finder.find(Thermometer.class, PATIENCE).orElseThrow();
+      orphan = (ThermometerProxy) directory.find(Thermometer.class, PATIENCE).orElseThrow();
       assertThat(orphan.identification()).isEqualTo(closed.identification());
     }
     assertThat(orphan.identification().path()).as("its server is gone").isEqualTo("robot/module");
@@ -162,7 +163,7 @@ class FiveClassesTest {
     ServedModule<ThermometerServer> module = thermometer().with("celsius", "4");
     ThermometerServer first = module.serve();
     ThermometerProxy proxy =
-        (ThermometerProxy) finder.find(Thermometer.class, PATIENCE).orElseThrow();
+        (ThermometerProxy) directory.find(Thermometer.class, PATIENCE).orElseThrow();
     assertThat(proxy.celsius()).isEqualTo(4);
     assertThatThrownBy(module::serve)
         .as("two implementations of one identity")

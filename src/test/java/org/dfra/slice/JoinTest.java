@@ -19,7 +19,8 @@ import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.entry.ModuleEntry;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
@@ -46,7 +47,9 @@ class JoinTest {
         List<ServiceItem> items = registered(REGGIE);
         assertThat(items).as("life %d of %s", life, server).hasSize(1);
         assertThat(items.get(0).serviceID).isEqualTo(expected);
-        assertThat(items.get(0).attributeSets).containsExactly(new Name("robot/module"));
+        assertThat(items.get(0).attributeSets)
+            .contains(new Name("robot/module"))
+            .hasAtLeastOneElementOfType(ModuleEntry.class);
       }
       assertThat(registered(REGGIE)).as("after life %d", life).isEmpty();
     }
@@ -72,13 +75,13 @@ class JoinTest {
     }
     ServedModule<ThermometerServer> module = thermometer().joining("jini://127.0.0.1:" + port);
     try (ThermometerServer server = module.serve();
-        ModuleFinder finder =
-            new ModuleFinder("127.0.0.1", List.of(), List.of("jini://127.0.0.1:" + port))) {
-      assertThat(finder.find(Thermometer.class, Duration.ofMillis(300)))
+        JiniModuleDirectory directory =
+            new JiniModuleDirectory("127.0.0.1", List.of(), List.of("jini://127.0.0.1:" + port))) {
+      assertThat(directory.find(Thermometer.class, Duration.ofMillis(300)))
           .as("%s before there is a lookup service", server)
           .isEmpty();
       try (EmbeddedReggie late = new EmbeddedReggie(port).start()) {
-        assertThat(finder.find(Thermometer.class, PATIENCE)).isPresent();
+        assertThat(directory.find(Thermometer.class, PATIENCE)).isPresent();
         assertThat(registered(late)).hasSize(1);
       }
       try (EmbeddedReggie other = new EmbeddedReggie(port).start()) { // it knows nothing

@@ -18,7 +18,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
@@ -40,8 +40,8 @@ import org.junit.jupiter.api.extension.ParameterResolver;
  * @ExtendWith(EmbeddedReggie.class)                              // one for the class, as a parameter
  * }</pre>
  *
- * Parameters of type {@code EmbeddedReggie} and {@link ModuleFinder} are supplied; a finder is
- * closed after the test. Without JUnit, {@link #start} and {@link #close} do it.
+ * Parameters of type {@code EmbeddedReggie} and {@link JiniModuleDirectory} are supplied; a
+ * directory is closed after the test. Without JUnit, {@link #start} and {@link #close} do it.
  *
  * <p>Timings are a robot's: whoever stops to renew is forgotten after {@link #LEASE_MILLIS}.
  */
@@ -126,8 +126,8 @@ public final class EmbeddedReggie
   }
 
   /** A client that looks for modules in this lookup service only; the caller closes it. */
-  public ModuleFinder finder() throws IOException {
-    return new ModuleFinder(HOST, List.of(), List.of(locator()));
+  public JiniModuleDirectory directory() throws IOException {
+    return new JiniModuleDirectory(HOST, List.of(), List.of(locator()));
   }
 
   @Override
@@ -164,7 +164,7 @@ public final class EmbeddedReggie
   @Override
   public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
     Class<?> type = parameter.getParameter().getType();
-    return type == EmbeddedReggie.class || type == ModuleFinder.class;
+    return type == EmbeddedReggie.class || type == JiniModuleDirectory.class;
   }
 
   @Override
@@ -174,24 +174,25 @@ public final class EmbeddedReggie
     }
     return context
         .getStore(NAMESPACE)
-        .getOrComputeIfAbsent(ModuleFinder.class, key -> startedFinder(), ModuleFinder.class);
+        .getOrComputeIfAbsent(
+            JiniModuleDirectory.class, key -> startedDirectory(), JiniModuleDirectory.class);
   }
 
-  private ModuleFinder startedFinder() {
+  private JiniModuleDirectory startedDirectory() {
     try {
-      return started().finder();
+      return started().directory();
     } catch (IOException e) {
-      throw new IllegalStateException("no finder for the embedded reggie", e);
+      throw new IllegalStateException("no directory for the embedded reggie", e);
     }
   }
 
-  /** A finder that was supplied ends before its lookup service does. */
+  /** A directory that was supplied ends before its lookup service does. */
   @Override
   public void afterEach(ExtensionContext context) {
-    ModuleFinder finder =
-        context.getStore(NAMESPACE).remove(ModuleFinder.class, ModuleFinder.class);
-    if (finder != null) {
-      finder.close();
+    JiniModuleDirectory directory =
+        context.getStore(NAMESPACE).remove(JiniModuleDirectory.class, JiniModuleDirectory.class);
+    if (directory != null) {
+      directory.close();
     }
   }
 

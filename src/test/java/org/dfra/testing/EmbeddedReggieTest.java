@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.ConnectException;
+import java.time.Duration;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.Module;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Order;
@@ -80,9 +83,9 @@ class EmbeddedReggieTest {
   }
 
   @Test
-  void suppliesAFinder() throws Exception {
-    try (ModuleFinder own = forTheTest.finder()) {
-      assertThat(own.find(org.dfra.module.Module.class, java.time.Duration.ofMillis(50))).isEmpty();
+  void suppliesADirectory() throws Exception {
+    try (JiniModuleDirectory own = forTheTest.directory()) {
+      assertThat(own.findFirst(ModuleQuery.of(Module.class), Duration.ofMillis(50))).isEmpty();
     }
   }
 }

@@ -2,7 +2,7 @@
  * What tests of a module stand on, also of modules that are not DFRA's own.
  *
  * <pre>
- *   test --&gt; ModuleFinder --&gt; EmbeddedReggie &lt;--joins-- ServedModule (server, proxy, driver)
+ *   test --&gt; JiniModuleDirectory --&gt; EmbeddedReggie &lt;--joins-- ServedModule (server, proxy, driver)
  *                    all of it in the test's own virtual machine
  * </pre>
  *

@@ -17,13 +17,16 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
 
 /**
- * The pace at which lookup services are looked for.
+ * The pace at which lookup services are looked for and registrations are renewed.
  *
  * <p>River's own is an office's: it waits longer and longer between tries, up to a quarter of an
  * hour, and for a peer that falls silent in the middle of one a minute. A robot that comes back
  * into radio range is to be found within seconds.
  */
 final class RobotPace {
+
+  /** The longest lease that a module asks of a lookup service, which may grant a shorter one. */
+  static final Duration LEASE = Duration.ofSeconds(30);
 
   /** The longest wait between two tries. */
   static final Duration LONGEST_WAIT = Duration.ofSeconds(2);
@@ -38,8 +41,9 @@ final class RobotPace {
     return new SuppliedConfiguration(
         own,
         Map.of(
-            "net.jini.discovery.LookupLocatorDiscovery.wakeupManager", Impatient::new,
-            "net.jini.lookup.JoinManager.wakeupManager", Impatient::new));
+            "net.jini.lookup.JoinManager.wakeupManager", Impatient::new,
+            "net.jini.lookup.JoinManager.maxLeaseDuration", LEASE::toMillis,
+            "net.jini.lease.LeaseRenewalManager.roundTripTime", PATIENCE::toMillis));
   }
 
   /** Constraints of a locator: a try that has begun ends soon. */

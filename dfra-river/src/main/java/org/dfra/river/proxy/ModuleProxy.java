@@ -8,6 +8,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
+import net.jini.admin.Administrable;
 import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
@@ -22,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <M> the module's interface
  */
-public abstract class ModuleProxy<M extends Module> implements Module, Serializable {
+public abstract class ModuleProxy<M extends Module> implements Module, Administrable, Serializable {
 
   private static final long serialVersionUID = 1L;
 
@@ -80,6 +81,12 @@ public abstract class ModuleProxy<M extends Module> implements Module, Serializa
         return readiness;
       }
     }
+  }
+
+  /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
+  @Override
+  public final Object getAdmin() throws RemoteException {
+    return server.getAdmin();
   }
 
   /** The module's identity, its service ID in the lookup service. */

@@ -1,6 +1,7 @@
 package org.dfra.river.server;
 
 import java.io.Serializable;
+import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
@@ -11,6 +12,7 @@ import org.dfra.core.config.ModuleDescription;
  *
  * @param module the module's description
  * @param id the module's identity, its service ID in every lookup service
+ * @param created when the module was first registered with its robot, UTC
  * @param host address or name that the module's proxies carry
  * @param lookupGroups discovery groups whose lookup services it joins; none if empty
  * @param locators lookup services it joins by unicast, {@code jini://host:port} each
@@ -18,6 +20,7 @@ import org.dfra.core.config.ModuleDescription;
 public record ModuleActivation(
     ModuleDescription module,
     UUID id,
+    Instant created,
     String host,
     List<String> lookupGroups,
     List<String> locators)
@@ -26,5 +29,15 @@ public record ModuleActivation(
   public ModuleActivation {
     lookupGroups = List.copyOf(lookupGroups);
     locators = List.copyOf(locators);
+  }
+
+  /** The same for a module that is registered for the first time. */
+  public ModuleActivation(
+      ModuleDescription module,
+      UUID id,
+      String host,
+      List<String> lookupGroups,
+      List<String> locators) {
+    this(module, id, Instant.now(), host, lookupGroups, locators);
   }
 }

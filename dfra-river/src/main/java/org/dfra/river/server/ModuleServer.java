@@ -7,6 +7,7 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -22,6 +23,7 @@ import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Identification;
@@ -29,7 +31,6 @@ import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.lookup.Join;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
@@ -56,6 +57,7 @@ public abstract class ModuleServer<M extends Module>
   private final M module;
   private final Remote remote;
   private final ModuleLandlord landlord;
+  private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
 
   /**
@@ -97,14 +99,21 @@ public abstract class ModuleServer<M extends Module>
           proxy(description, kind, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
-      undo.push(
-          Join.join(
+      ModulePresence presence =
+          new ModulePresence(
+              new SelfDescription(
+                  driver,
+                  activation.host(),
+                  activation.created(),
+                  Instant.now(),
+                  landlord::clients),
               proxy,
-              activation.id(),
-              path,
-              activation.lookupGroups(),
-              activation.locators(),
-              configuration));
+              activation,
+              configuration);
+      undo.push(presence);
+      this.administration =
+          new ModuleAdministration(presence, activation.host(), id, exporter, this);
+      undo.push(administration);
 
       // Step 6: the landlord.
       landlord.start();
@@ -303,6 +312,12 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Object getProxy() {
     return remote;
+  }
+
+  /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
+  @Override
+  public final Object getAdmin() throws RemoteException {
+    return administration.stub();
   }
 
   @Override

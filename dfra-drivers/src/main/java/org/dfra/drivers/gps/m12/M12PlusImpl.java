@@ -2,6 +2,7 @@ package org.dfra.drivers.gps.m12;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dfra.core.config.Parameters;
@@ -17,6 +18,8 @@ import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,6 +34,8 @@ import org.jspecify.annotations.Nullable;
  *       1
  *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
  *       again, at first and at most; default 0.5 and 8
+ *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: metres from the robot's {@code
+ *       base_link} to the antenna, forward, left and up; default 0
  * </ul>
  *
  * <p>INITIALIZING until the first position, and again when the link is lost, when no position frame
@@ -43,7 +48,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads: one reader ({@code name reader}), owned by a {@link LinkKeeper} from {@code start} to
  * {@code close}, does all the work. Askers see immutable snapshots and never wait for the device.
  */
-public final class M12PlusImpl extends SensorImpl implements GPSSensor {
+public final class M12PlusImpl extends SensorImpl implements GPSSensor, Described {
 
   /**
    * What the receiver last told; immutable.
@@ -65,10 +70,12 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
   private final Duration longestAge;
   private final Ticker ticker;
   private final LinkKeeper keeper;
+  private final M12Attributes attributes;
 
   // written by the reader, read by anyone
   private volatile @Nullable Snapshot snapshot;
   private volatile @Nullable ReceiverIdentification receiver;
+  private volatile @Nullable Integer channels;
   private volatile M12Counts counts = M12Counts.ZERO;
   private volatile String awaits = "it has not been started";
 
@@ -89,6 +96,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
     LinkAddress address = addressIn(parameters());
     this.ticker = ticker;
     this.rate = rateIn(parameters());
+    this.attributes = new M12Attributes(identification(), parameters());
     this.longestAge = Duration.ofSeconds(3L * rate + 2);
     this.keeper =
         new LinkKeeper(
@@ -164,6 +172,13 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
     return Optional.ofNullable(receiver);
   }
 
+  /** {@inheritDoc} The location is one that the receiver was at not long ago. */
+  @Override
+  public List<Attributes> attributes() {
+    @Nullable Snapshot current = readiness().serves() ? snapshot : null;
+    return attributes.all(receiver, channels, current == null ? null : current.location());
+  }
+
   /** What has come over the link since the module was started, all openings together. */
   public M12Counts counts() {
     return counts;
@@ -195,6 +210,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
     @Override
     public void solved(M12PositionMessage message) {
       Instant now = clock().instant();
+      channels = message.channels().size();
       GpsFix fix = message.toFix();
       Snapshot last = snapshot;
       if (fix.position() != null) {
