@@ -124,7 +124,9 @@ final class BenchRegistrar implements AutoCloseable {
         return new FilterInputStream(super.getInputStream()) {
           @Override
           public int read() throws IOException {
-            return counted(super.read() < 0 ? -1 : 1);
+            int read = super.read();
+            counted(read < 0 ? -1 : 1);
+            return read;
           }
 
           @Override
