@@ -26,6 +26,7 @@ import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.persona.PersonaAttributes;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.entry.ModuleEntry;
@@ -143,6 +144,41 @@ class RunningRobotTest {
       assertThat(first.celsius()).isEqualTo(1);
 
       administer((ModuleAdmin) ((ModuleProxy<?>) first).getAdmin());
+    }
+  }
+
+  @Test
+  void aRobotShowsItsPersonaInItsRegistrarAndChangesIt() throws Exception {
+    int port;
+    try (ServerSocket socket = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
+      port = socket.getLocalPort();
+    }
+    robot();
+    String locator = "jini://127.0.0.1:" + port;
+    try (JiniModuleDirectory directory =
+        new JiniModuleDirectory("127.0.0.1", List.of(), List.of(locator))) {
+      for (String role : List.of("scout", "scout", "carrier")) {
+        Path xml = folder.resolve("atrv2.xml");
+        Files.writeString(
+            xml,
+            "<robot xmlns=\"urn:dfra:robot:1\" name=\"atrv2\" host=\"127.0.0.1\"><persona role=\""
+                + role
+                + "\"><goal>Map the field.</goal></persona><group name=\"lookup\"><registrar"
+                + " port=\""
+                + port
+                + "\"/></group></robot>");
+        new RobotBootstrap(phoenix, RobotXml.read(xml)).up();
+        await()
+            .atMost(PATIENCE)
+            .untilAsserted(
+                () ->
+                    assertThat(directory.personas())
+                        .singleElement()
+                        .extracting(persona -> persona.attributes().orElseThrow())
+                        .isEqualTo(
+                            new PersonaAttributes(
+                                "atrv2", role, List.of("Map the field."), List.of())));
+      }
     }
   }
 

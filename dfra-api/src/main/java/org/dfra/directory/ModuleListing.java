@@ -39,7 +39,8 @@ public record ModuleListing<M extends Module>(
 
   /** The attributes of one kind, if the module has told any. */
   public <A extends Attributes> Optional<A> attributes(Class<A> kind) {
-    for (Attributes each : attributes) {
+    for (int i = 0; i < attributes.size(); i++) { // asked very often: no iterators
+      Attributes each = attributes.get(i);
       if (kind.isInstance(each)) {
         return Optional.of(kind.cast(each));
       }

@@ -1,5 +1,6 @@
 package org.dfra.app;
 
+import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.demo.DemoCommand;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
@@ -15,7 +16,12 @@ import picocli.CommandLine.ScopeType;
     scope = ScopeType.INHERIT,
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {DemoCommand.class, RobotCommand.class, CommandLine.HelpCommand.class},
+    subcommands = {
+      BenchCommand.class,
+      DemoCommand.class,
+      RobotCommand.class,
+      CommandLine.HelpCommand.class
+    },
     footer = {
       "",
       "Also, by the script itself:",

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.dfra.persona.PersonaAttributes;
 
 /**
  * One robot, as its XML describes it, with every variable substituted.
@@ -17,6 +18,7 @@ import java.util.stream.Stream;
  * @param lookupGroups discovery groups whose registrars the robot's modules join; none if empty
  * @param locators registrars joined by unicast, each as {@code jini://host} or {@code
  *     jini://host:port}
+ * @param persona the robot's role, goals and limitations, if they are written down
  * @param groups the service groups, at least one; at most one of them hosts the registrar
  * @param source the file that was read
  */
@@ -25,6 +27,7 @@ public record RobotDescription(
     String host,
     List<String> lookupGroups,
     List<String> locators,
+    Optional<PersonaAttributes> persona,
     List<GroupDescription> groups,
     Path source) {
 
@@ -59,6 +62,17 @@ public record RobotDescription(
       throw new ConfigurationException(
           whole + ": robot " + name + " has more than one registrar; leave it in one group only");
     }
+  }
+
+  /** A robot whose persona is not written down. */
+  public RobotDescription(
+      String name,
+      String host,
+      List<String> lookupGroups,
+      List<String> locators,
+      List<GroupDescription> groups,
+      Path source) {
+    this(name, host, lookupGroups, locators, Optional.empty(), groups, source);
   }
 
   /** The robot's own lookup service, if one of its groups hosts it. */

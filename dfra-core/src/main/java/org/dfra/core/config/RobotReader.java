@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import org.dfra.persona.PersonaAttributes;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
@@ -13,6 +15,9 @@ import org.jspecify.annotations.Nullable;
  * wrong is noted here, and reading goes on, so that all of it is reported at once.
  */
 final class RobotReader {
+
+  /** What a robot may hold that is no group. */
+  private static final Set<String> OTHERS = Set.of("lookup", "persona");
 
   private final Path file;
   private final Faults faults;
@@ -46,15 +51,43 @@ final class RobotReader {
       locators.addAll(list(lookup, "locators"));
       locators.forEach(locator -> values.check(lookup, Rules.locator(locator)));
     }
+    Optional<PersonaAttributes> persona = Optional.empty();
+    for (Element child : children(root, "persona")) {
+      singles.check(child, "persona", "<persona>", "make them one");
+      persona = persona(child, name);
+    }
     for (Element group : children(root, "group")) {
       group(group, name).ifPresent(groups::add);
     }
-    if (root.getChildren().stream().allMatch(child -> child.getName().equals("lookup"))) {
+    if (root.getChildren().stream().allMatch(child -> OTHERS.contains(child.getName()))) {
       values.check(root, "the robot has no group; add a <group>, since a group runs its modules");
     }
     return faults.isEmpty() && name != null && host != null
-        ? Optional.of(new RobotDescription(name, host, lookupGroups, locators, groups, file))
+        ? Optional.of(
+            new RobotDescription(name, host, lookupGroups, locators, persona, groups, file))
         : Optional.empty();
+  }
+
+  private Optional<PersonaAttributes> persona(Element element, @Nullable String robot) {
+    String role = values.attribute(element, "role", "");
+    List<String> goals = sentences(element, "goal");
+    List<String> limitations = sentences(element, "limitation");
+    return role == null || robot == null || robot.isBlank()
+        ? Optional.empty()
+        : Optional.of(new PersonaAttributes(robot, role.strip(), goals, limitations));
+  }
+
+  private List<String> sentences(Element element, String kind) {
+    List<String> sentences = new ArrayList<>();
+    for (Element child : children(element, kind)) {
+      String text = values.text(child);
+      if (text != null && text.isEmpty()) {
+        values.check(child, "the " + kind + " is empty; write a sentence, or delete it");
+      } else if (text != null) {
+        sentences.add(text);
+      }
+    }
+    return sentences;
   }
 
   private Optional<GroupDescription> group(Element element, @Nullable String robot) {

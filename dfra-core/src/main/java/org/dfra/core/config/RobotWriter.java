@@ -1,5 +1,6 @@
 package org.dfra.core.config;
 
+import org.dfra.persona.PersonaAttributes;
 import org.jdom2.Document;
 import org.jdom2.Element;
 import org.jdom2.IllegalDataException;
@@ -21,9 +22,22 @@ final class RobotWriter {
     set(lookup, "groups", String.join(",", robot.lookupGroups()));
     set(lookup, "locators", String.join(",", robot.locators()));
     root.addContent(lookup);
+    robot.persona().ifPresent(persona -> root.addContent(persona(persona)));
     robot.groups().forEach(group -> root.addContent(group(group)));
     Format format = Format.getPrettyFormat().setLineSeparator(LineSeparator.UNIX);
     return new XMLOutputter(format).outputString(new Document(root));
+  }
+
+  private static Element persona(PersonaAttributes persona) {
+    Element element = element("persona");
+    set(element, "role", persona.role());
+    for (String goal : persona.goals()) {
+      element.addContent(element("goal").setText(Substitution.escape(goal)));
+    }
+    for (String limitation : persona.limitations()) {
+      element.addContent(element("limitation").setText(Substitution.escape(limitation)));
+    }
+    return element;
   }
 
   private static Element group(GroupDescription group) {

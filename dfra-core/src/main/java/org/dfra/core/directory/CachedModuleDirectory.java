@@ -40,7 +40,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   private static final AtomicInteger THREADS = new AtomicInteger();
 
   /** The best first; see {@link ModuleDirectory#find}. */
-  private static final Comparator<ModuleListing<?>> BEST =
+  static final Comparator<ModuleListing<?>> BEST =
       Comparator.<ModuleListing<?>, Boolean>comparing(CachedModuleDirectory::isHopeless)
           .thenComparing(ModuleListing::locality)
           .thenComparing(ModuleListing::stale)
@@ -89,18 +89,16 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
         found.add(as(each));
       }
     }
-    found.sort(BEST);
-    return found;
+    return found; // in the table's order
   }
 
   private <M extends Module> Optional<ModuleListing<M>> best(ModuleQuery<M> query) {
-    @Nullable ModuleListing<Module> best = null;
     for (ModuleListing<Module> each : table.all()) {
-      if (query.matches(each, table::place) && (best == null || BEST.compare(each, best) < 0)) {
-        best = each;
+      if (query.matches(each, table::place)) {
+        return Optional.of(as(each));
       }
     }
-    return best == null ? Optional.empty() : Optional.of(as(best));
+    return Optional.empty();
   }
 
   @SuppressWarnings("unchecked") // the query has looked at its type, and a listing never changes

@@ -58,7 +58,7 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
     for (Attributes each : attributes) {
       if (each instanceof ModuleAttributes who) {
         table()
-            .all()
+            .unordered()
             .forEach(
                 other -> {
                   if (!other.id().equals(id)

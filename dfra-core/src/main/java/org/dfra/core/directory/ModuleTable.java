@@ -4,9 +4,11 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -31,6 +33,9 @@ public final class ModuleTable {
   private final Map<UUID, ModuleListing<Module>> modules = new ConcurrentHashMap<>();
   private final Map<UUID, RobotSign> robots = new ConcurrentHashMap<>();
   private final List<Consumer<UUID>> observers = new CopyOnWriteArrayList<>();
+  private final Set<UUID> unsorted = new HashSet<>(); // guarded by this
+  private volatile @Nullable List<ModuleListing<Module>> sorted = List.of(); // null: to be sorted
+  private List<ModuleListing<Module>> lastSorted = List.of(); // guarded by this
   private volatile long version; // written under this
   private volatile Places places = new Places(-1, Map.of());
 
@@ -93,7 +98,7 @@ public final class ModuleTable {
               locality,
               false,
               news || old == null ? clock.instant() : old.confirmed()));
-      version++;
+      changed(id);
     }
     if (news) {
       tell(id);
@@ -108,7 +113,7 @@ public final class ModuleTable {
         return;
       }
       robots.put(id, new RobotSign(robot, false, clock.instant()));
-      version++;
+      changed(id);
     }
     tell(id);
   }
@@ -141,7 +146,7 @@ public final class ModuleTable {
       if (sign != null) {
         robots.put(id, new RobotSign(sign.attributes(), true, vouched));
       }
-      version++;
+      changed(id);
     }
     tell(id);
   }
@@ -154,7 +159,7 @@ public final class ModuleTable {
       if (!module && !robot) {
         return;
       }
-      version++;
+      changed(id);
     }
     tell(id);
   }
@@ -163,6 +168,9 @@ public final class ModuleTable {
     synchronized (this) {
       modules.clear();
       robots.clear();
+      unsorted.clear();
+      lastSorted = List.of();
+      sorted = lastSorted;
       version++;
     }
   }
@@ -171,8 +179,47 @@ public final class ModuleTable {
     return modules.get(id);
   }
 
-  Iterable<ModuleListing<Module>> all() {
+  /** Every module, in no order, and each as it is when it is come to. */
+  Iterable<ModuleListing<Module>> unordered() {
     return modules.values();
+  }
+
+  /** Every module, as all were at one moment, the best first. */
+  List<ModuleListing<Module>> all() {
+    @Nullable List<ModuleListing<Module>> ready = sorted;
+    return ready != null ? ready : sort();
+  }
+
+  /** Sorts in what has changed since it was last asked. */
+  private synchronized List<ModuleListing<Module>> sort() {
+    @Nullable List<ModuleListing<Module>> ready = sorted;
+    if (ready != null) {
+      return ready;
+    }
+    List<ModuleListing<Module>> next = new ArrayList<>(modules.size());
+    for (ModuleListing<Module> each : lastSorted) {
+      if (!unsorted.contains(each.id())) {
+        next.add(each);
+      }
+    }
+    for (UUID id : unsorted) {
+      @Nullable ModuleListing<Module> now = modules.get(id);
+      if (now != null) {
+        next.add(now);
+      }
+    }
+    unsorted.clear();
+    next.sort(CachedModuleDirectory.BEST); // nearly sorted, which it notices
+    lastSorted = next;
+    sorted = next;
+    return next;
+  }
+
+  /** Under the lock. */
+  private void changed(UUID id) {
+    unsorted.add(id);
+    sorted = null;
+    version++;
   }
 
   List<RobotSign> robots() {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import org.dfra.persona.PersonaAttributes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -23,6 +25,8 @@ class RobotRoundTripTest {
                 + "parameter.odd=\\ a\\tb\\nc\\rd $$ ${HOST} <>&\\\"' caf\u00e9 \\uD83D\\uDE80 \n")
         .xml(
             "<lookup groups=\"field,north\" locators=\"base,relay:4161\"/>",
+            "<persona role=\"scout $$\"><goal> Map ${HOST} &amp; all. </goal>",
+            "<limitation>no stairs</limitation><goal>Come back.</goal></persona>",
             "<group name=\"lookup\"><registrar port=\"4170\" restart=\"false\"/></group>",
             "<group name=\"gps\"><jvm-option>-Da=b  c $$</jvm-option>",
             "<jvm-option>-Xmx64m</jvm-option>",
@@ -45,6 +49,13 @@ class RobotRoundTripTest {
     assertThat(robot.modules().get(0).parameters().text("odd"))
         .as("the odd characters got as far as the dump")
         .isEqualTo(" a\tb\nc\rd $ $$ {} ${A:-b} <>&\"' café \uD83D\uDE80 ");
+    assertThat(robot.persona())
+        .contains(
+            new PersonaAttributes(
+                "atrv1",
+                "scout $",
+                List.of("Come back.", "Map $$ {} ${A:-b} & all."),
+                List.of("no stairs")));
     assertThat(RobotXml.text(again)).isEqualTo(RobotXml.text(robot));
   }
 

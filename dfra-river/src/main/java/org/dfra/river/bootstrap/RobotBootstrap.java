@@ -20,6 +20,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import net.jini.admin.JoinAdmin;
+import net.jini.core.entry.Entry;
 import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.GroupDescription;
@@ -27,6 +29,8 @@ import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.river.entry.Entries;
+import org.dfra.river.entry.PersonaEntry;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
@@ -87,7 +91,9 @@ public final class RobotBootstrap {
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
     for (GroupDescription group : robot.groups()) {
       if (group.registrar().isPresent()) {
-        services.add(bringUp(loader, group, group.registrar().get()));
+        Service registrar = bringUp(loader, group, group.registrar().get());
+        showPersona(registrar);
+        services.add(registrar);
       }
     }
     // Steps 4 to 8: the modules. Their XML and properties were read with the robot's description.
@@ -101,6 +107,29 @@ public final class RobotBootstrap {
       }
     }
     return services;
+  }
+
+  /**
+   * Attaches the robot's persona to its registrar, in place of an older one. The registrar keeps it
+   * in its own log, so it is there again after every restart.
+   */
+  private void showPersona(Service registrar) throws ActivationException, IOException {
+    JoinAdmin admin =
+        (JoinAdmin) registrar.id().activate(false); // reggie's remote interface is one
+    Entry[] old =
+        Arrays.stream(admin.getLookupAttributes())
+            .filter(PersonaEntry.class::isInstance)
+            .toArray(Entry[]::new);
+    Entry[] wanted = robot.persona().map(each -> Entries.of(List.of(each))).orElse(new Entry[0]);
+    if (Arrays.equals(old, wanted)) {
+      return;
+    }
+    if (old.length > 0) {
+      admin.modifyLookupAttributes(old, new Entry[old.length]); // null takes it out
+    }
+    if (wanted.length > 0) {
+      admin.addLookupAttributes(wanted);
+    }
   }
 
   private BootstrapLoader loader() {

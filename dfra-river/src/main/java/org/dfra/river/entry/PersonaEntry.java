@@ -2,13 +2,12 @@ package org.dfra.river.entry;
 
 import java.util.List;
 import net.jini.entry.AbstractEntry;
-import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.persona.PersonaAttributes;
 import org.jspecify.annotations.Nullable;
 
 /** A robot as such, see {@link PersonaAttributes}. Null is unknown, or any value in a template. */
 @Mirrors(PersonaAttributes.class)
-public class PersonaEntry extends AbstractEntry implements ServiceControlled {
+public class PersonaEntry extends AbstractEntry {
 
   private static final long serialVersionUID = 1L;
 

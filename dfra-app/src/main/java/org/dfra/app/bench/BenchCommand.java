@@ -1,0 +1,61 @@
+package org.dfra.app.bench;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra bench}: measures what the requirements put a figure on. */
+@Command(
+    name = "bench",
+    description = "Measures what the requirements put a figure on, on this machine.",
+    footer = {
+      "",
+      "Benchmarks:",
+      "  distributed   lookup, queries, staleness and renewal traffic (about two minutes)"
+    })
+public final class BenchCommand implements Callable<Integer> {
+
+  private static final Map<String, Supplier<Bench>> BENCHES = new LinkedHashMap<>();
+
+  static {
+    BENCHES.put("distributed", DistributedBench::new);
+  }
+
+  @Parameters(paramLabel = "NAME", description = "Which one.")
+  private String name = "";
+
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description = "Append the measured figures to this CSV file.")
+  private @Nullable Path record;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  @Override
+  public Integer call() throws Exception {
+    @Nullable Supplier<Bench> bench = BENCHES.get(name);
+    if (bench == null) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "there is no benchmark \"" + name + "\"; there is " + BENCHES.keySet());
+    }
+    Report report = new Report(spec.commandLine().getOut());
+    bench.get().run(report);
+    if (record != null) {
+      report.append(record, name);
+    }
+    return report.isMet() ? 0 : 1;
+  }
+}

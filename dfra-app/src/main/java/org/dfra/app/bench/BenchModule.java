@@ -1,0 +1,60 @@
+package org.dfra.app.bench;
+
+import java.io.Serializable;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.module.Identification;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ChainAttributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.SensorAttributes;
+
+/** A module that is only listed. */
+record BenchModule(UUID id, String robot, String name) implements Module, Serializable {
+
+  private static final int PER_ROBOT = 50;
+
+  /** One of many; each robot has fifty. */
+  static BenchModule of(int number) {
+    return new BenchModule(
+        UUID.randomUUID(), "robot" + number / PER_ROBOT, "module" + number % PER_ROBOT);
+  }
+
+  /** What it says of itself. */
+  List<Attributes> attributes(int number) {
+    return List.of(
+        new ModuleAttributes(
+            robot,
+            name,
+            "org.example.Driver" + number % 7,
+            BenchRegistrar.HOST,
+            "DFRA",
+            "1",
+            Readiness.READY,
+            Instant.EPOCH,
+            null,
+            number % 3),
+        new ChainAttributes(List.of(), List.of("Range")),
+        new SensorAttributes(
+            "Range", List.of("night"), 0, 1 + number % 40, null, List.of("No rain.")));
+  }
+
+  @Override
+  public Identification identification() {
+    return new Identification(robot, name, "a module of a benchmark", "DFRA", "1");
+  }
+
+  @Override
+  public Readiness readiness() {
+    return Readiness.READY;
+  }
+
+  @Override
+  public Readiness awaitReadiness(Duration patience) {
+    return Readiness.READY;
+  }
+}
