@@ -37,13 +37,17 @@ class ExamplesTest {
       Stream.of(
               "java.time.Duration",
               "java.util.List",
-              "org.dfra.flow.sensor.GPSSensor",
-              "org.dfra.flow.sensor.GpsFix",
-              "org.dfra.directory.ModuleDirectory",
-              "org.dfra.directory.ModuleQuery",
+              "org.dfra.directory.*",
+              "org.dfra.flow.sensor.*",
+              "org.dfra.geometry.GeoPosition",
+              "org.dfra.persona.*",
               "org.dfra.river.lookup.JiniModuleDirectory")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
+
+  /** What an example may take as given. */
+  private static final String GIVEN =
+      "String host, List<String> groups, List<String> locators, GeoPosition here";
 
   @TempDir Path folder;
 
@@ -77,7 +81,12 @@ class ExamplesTest {
       Path source = folder.resolve("Example.java");
       Files.writeString(
           source,
-          IMPORTS + "class Example {\n void example() throws Exception {\n" + piece + "}\n}\n");
+          IMPORTS
+              + "class Example {\n void example("
+              + GIVEN
+              + ") throws Exception {\n"
+              + piece
+              + "}\n}\n");
       JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
       DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
       try (StandardJavaFileManager files = compiler.getStandardFileManager(found, null, null)) {
