@@ -8,10 +8,10 @@ import java.time.Instant;
  *
  * @param module the module's path, {@code robot/name}
  * @param epoch counts the module's lives: it grows by one with each activation
- * @param sequence the event's number; the module's events are numbered without gap, through all its
- *     lives, so a gap is a loss
+ * @param sequence the event's number among the module's events of its kind; they are numbered
+ *     without gap, through all its lives, so a gap between two of a kind is a loss
  * @param dropped events that this listener's own policy has dropped since its last delivery,
- *     because it was slow or wanted fewer
+ *     because it was slow or wanted fewer; they are missing in the sequence too
  * @param published when the module published it, by its own clock
  * @param event what happened
  */
@@ -32,5 +32,17 @@ public record Delivery(
               + dropped
               + "; none may be below 0");
     }
+  }
+
+  /** The same after so many more dropped events; itself where there are none. */
+  public Delivery afterDropping(long more) {
+    return more == 0
+        ? this
+        : new Delivery(module, epoch, sequence, dropped + more, published, event);
+  }
+
+  /** The kind of the event. */
+  public DeliveryPolicy.Kind kind() {
+    return DeliveryPolicy.Kind.of(event);
   }
 }

@@ -3,10 +3,11 @@ package org.dfra.event;
 import java.rmi.RemoteException;
 
 /**
- * Is told a module's events, one at a time, in order, on a thread of its own.
+ * Is told a module's events, one at a time, in order, on a thread that is not the module's.
  *
- * <p>A listener may be far away, so telling it may fail; one that fails or throws is told the next
- * event all the same.
+ * <p>A listener may take its time: it delays itself only, and what its {@link DeliveryPolicy} does
+ * not keep for it meanwhile is dropped and counted. One that throws is told the next event all the
+ * same.
  */
 @FunctionalInterface
 public interface ModuleListener {

@@ -39,9 +39,10 @@ public interface Module {
   Readiness awaitReadiness(Duration patience) throws RemoteException;
 
   /**
-   * Listens to the module until the subscription is closed.
+   * Listens to the module until the subscription is closed. Who listens to readings is a client of
+   * the module, as if it held a lease; who listens to the other kinds of events only watches.
    *
-   * @param listener is told on a thread of its own
+   * @param listener is told one event at a time
    * @param policy what the listener can take
    */
   Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) throws RemoteException;

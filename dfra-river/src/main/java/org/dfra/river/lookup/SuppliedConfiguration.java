@@ -7,14 +7,14 @@ import net.jini.config.NoSuchEntryException;
 import org.jspecify.annotations.Nullable;
 
 /** A Jini configuration made in code: each entry is supplied anew whenever it is asked for. */
-final class SuppliedConfiguration extends AbstractConfiguration {
+public final class SuppliedConfiguration extends AbstractConfiguration {
 
   private final Map<String, Supplier<?>> entries;
 
   /**
    * @param entries suppliers by {@code component.entry}
    */
-  SuppliedConfiguration(Map<String, Supplier<?>> entries) {
+  public SuppliedConfiguration(Map<String, Supplier<?>> entries) {
     this.entries = Map.copyOf(entries);
   }
 
@@ -27,6 +27,7 @@ final class SuppliedConfiguration extends AbstractConfiguration {
     if (supplier == null) {
       throw new NoSuchEntryException("no entry " + component + "." + name);
     }
-    return supplier.get();
+    Object value = supplier.get();
+    return type.isPrimitive() ? new Primitive(value) : value; // so River tells long from Long
   }
 }

@@ -7,6 +7,7 @@ import java.io.Serializable;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.UUID;
+import java.util.concurrent.TimeUnit;
 import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
@@ -70,7 +71,8 @@ public abstract class ModuleProxy<M extends Module> implements Module, Serializa
 
   @Override
   public final Readiness awaitReadiness(Duration patience) throws RemoteException {
-    long end = System.nanoTime() + patience.toNanos();
+    // The longest there is, if too long; only differences to it are taken, so it may wrap around.
+    long end = System.nanoTime() + TimeUnit.NANOSECONDS.convert(patience);
     while (true) {
       Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
       Readiness readiness = target().awaitReadiness(left);

@@ -6,6 +6,7 @@ import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.ResurrectingExporter;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Exporters for module servers, to be named in a module's Jini configuration:
@@ -21,13 +22,14 @@ public final class Exporters {
   private Exporters() {}
 
   /**
-   * JERI over TCP on a port of the system's choice; calls have a deadline, and the proxy brings the
-   * server back when it is dead.
+   * JERI over TCP on a port of the system's choice; calls have a deadline, and the proxy brings an
+   * activatable server back when it is dead.
    *
    * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
    */
   public static Exporter jeri(ServerSettings settings, long deadlineMillis) {
-    return new ResurrectingExporter(settings.id(), jeri(settings.host(), deadlineMillis));
+    Exporter plain = jeri(settings.host(), deadlineMillis);
+    return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }
 
   /** The same for an object that is not activatable. */
@@ -39,8 +41,8 @@ public final class Exporters {
   /**
    * What a module's Jini configuration gets as {@code $data}.
    *
-   * @param id the server's activation ID
+   * @param id the server's activation ID, or null where no activation system made it
    * @param host address or name that its proxies carry
    */
-  public record ServerSettings(ActivationID id, String host) {}
+  public record ServerSettings(@Nullable ActivationID id, String host) {}
 }

@@ -8,12 +8,14 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.river.remote.RemoteGPSSensor;
+import org.jspecify.annotations.Nullable;
 
 /** Activatable server of a satellite positioning receiver. */
 public final class GPSServer extends SensorServer<GPSSensor> implements RemoteGPSSensor {
 
   /** See {@link ModuleServer#ModuleServer}. */
-  public GPSServer(ActivationID id, MarshalledObject<ModuleActivation> data) throws Exception {
+  public GPSServer(@Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
+      throws Exception {
     super(GPSSensor.class, id, data);
   }
 

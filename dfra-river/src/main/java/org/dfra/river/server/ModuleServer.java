@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
@@ -8,63 +9,73 @@ import java.rmi.activation.ActivationID;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import net.jini.config.Configuration;
-import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationProvider;
 import net.jini.config.EmptyConfiguration;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
+import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
+import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.Join;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Activatable server of a module: it makes the driver and serves it to the network.
  *
  * <p>Constructing is starting, as the activation system demands: the six steps run in the
- * constructor, and if one fails, those before it are undone.
+ * constructor, and if one fails, those before it are undone. {@link #close} undoes all of them.
  *
  * @param <M> the module's interface
  */
-public abstract class ModuleServer<M extends Module> implements RemoteModule, ProxyAccessor {
+public abstract class ModuleServer<M extends Module>
+    implements RemoteModule, ProxyAccessor, AutoCloseable {
 
   /** Component of the entries that a module's Jini configuration may have. */
   static final String COMPONENT = "org.dfra.river.server";
 
+  private static final long DEADLINE_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
+
+  private final String path;
   private final M module;
   private final Remote remote;
   private final ModuleLandlord landlord;
-  private final String path;
-  private final Deque<AutoCloseable> undo = new ArrayDeque<>();
+  private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
 
   /**
    * Step 1: the activation system constructs the server; the other five follow.
    *
    * @param kind the module's interface
-   * @param id the server's activation ID
+   * @param id the server's activation ID; null where no activation system makes it: then its proxy
+   *     does not bring it back
    * @param data the server's {@link ModuleActivation}
-   * @throws Exception the first step's failure, in its own words
+   * @throws ConfigurationException if what the module's description names cannot be used
+   * @throws Exception if the data cannot be read
    */
-  protected ModuleServer(Class<M> kind, ActivationID id, MarshalledObject<ModuleActivation> data)
+  protected ModuleServer(
+      Class<M> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
+    ModuleActivation activation = data.get();
+    ModuleDescription description = activation.module();
+    this.path = description.path();
     try {
       // Step 2: the properties.
-      ModuleActivation activation = data.get();
-      ModuleDescription description = activation.module();
-      this.path = description.path();
       Configuration configuration = configuration(description);
 
       // Step 3: the driver.
@@ -83,7 +94,7 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
       this.remote = exporter.export(this);
       undo.push(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
-          proxy(description, (RemoteModule) remote, activation.id(), driver.identification());
+          proxy(description, kind, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
       undo.push(
@@ -98,29 +109,35 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
       // Step 6: the landlord.
       landlord.start();
       undo.push(landlord);
-    } catch (Exception | Error e) {
-      close(e);
+    } catch (Exception e) {
+      ConfigurationException fault = placed(description, e);
+      undoAll(fault);
+      throw fault;
+    } catch (Error e) {
+      undoAll(e);
       throw e;
     }
   }
 
   private static Configuration configuration(ModuleDescription description)
-      throws ConfigurationException {
+      throws net.jini.config.ConfigurationException {
     return description.configuration() == null
         ? EmptyConfiguration.INSTANCE
         : ConfigurationProvider.getInstance(new String[] {description.configuration()});
   }
 
-  private static ModuleImpl driver(ModuleDescription description, Class<?> kind) throws Exception {
+  private static ModuleImpl driver(ModuleDescription description, Class<?> kind) {
     Class<?> type = load(description, "driver", description.driverClass());
     if (!ModuleImpl.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
       throw fault(
           description,
-          "driver " + type.getName() + " is no ModuleImpl that implements " + kind.getName());
+          "driver " + type.getName() + " is no ModuleImpl that implements " + kind.getName(),
+          null);
     }
     return (ModuleImpl)
         construct(
             description,
+            "driver",
             type,
             new Class<?>[] {ModuleContext.class},
             new ModuleContext(
@@ -131,15 +148,22 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
   }
 
   private static ModuleProxy<?> proxy(
-      ModuleDescription description, RemoteModule server, UUID id, Identification identification)
-      throws Exception {
+      ModuleDescription description,
+      Class<?> kind,
+      RemoteModule server,
+      UUID id,
+      Identification identification) {
     Class<?> type = load(description, "proxy", description.proxyClass());
-    if (!ModuleProxy.class.isAssignableFrom(type)) {
-      throw fault(description, "proxy " + type.getName() + " is no ModuleProxy");
+    if (!ModuleProxy.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
+      throw fault(
+          description,
+          "proxy " + type.getName() + " is no ModuleProxy that implements " + kind.getName(),
+          null);
     }
     return (ModuleProxy<?>)
         construct(
             description,
+            "proxy",
             type,
             new Class<?>[] {RemoteModule.class, UUID.class, Identification.class},
             server,
@@ -156,58 +180,116 @@ public abstract class ModuleServer<M extends Module> implements RemoteModule, Pr
           what
               + " class "
               + name
-              + " is not on the group's class path; add its jar or mend the name");
+              + " is not on the group's class path; add its jar or mend the name",
+          e);
+    } catch (LinkageError e) {
+      throw fault(
+          description,
+          what + " class " + name + " cannot be loaded (" + e + "); add the jar that it needs",
+          e);
     }
   }
 
   private static Object construct(
-      ModuleDescription description, Class<?> type, Class<?>[] parameters, Object... arguments)
-      throws Exception {
+      ModuleDescription description,
+      String what,
+      Class<?> type,
+      Class<?>[] parameters,
+      Object... arguments) {
     try {
       return type.getConstructor(parameters).newInstance(arguments);
     } catch (NoSuchMethodException e) {
       throw fault(
           description,
-          type.getName()
+          what
+              + " "
+              + type.getName()
               + " has no public constructor "
-              + java.util.Arrays.stream(parameters).map(Class::getSimpleName).toList());
+              + Arrays.stream(parameters)
+                  .map(Class::getSimpleName)
+                  .collect(Collectors.joining(", ", "(", ")")),
+          e);
     } catch (InvocationTargetException e) {
-      if (e.getCause() instanceof Exception cause) {
+      if (e.getCause() instanceof ConfigurationException cause) {
         throw cause;
       }
-      throw e;
+      throw fault(description, what + " " + type.getName() + " cannot be made: " + e.getCause(), e);
+    } catch (ReflectiveOperationException e) {
+      throw fault(description, what + " " + type.getName() + " cannot be made: " + e, e);
     }
   }
 
-  private static org.dfra.core.config.ConfigurationException fault(
-      ModuleDescription description, String what) {
-    return new org.dfra.core.config.ConfigurationException(
-        description.place() + ": module " + description.path() + ": " + what);
-  }
-
   private static Exporter exporter(Configuration configuration, ServerSettings settings)
-      throws ConfigurationException {
-    return (Exporter)
-        java.util.Objects.requireNonNull(
+      throws net.jini.config.ConfigurationException {
+    @Nullable Exporter exporter =
+        (Exporter)
             configuration.getEntry(
                 COMPONENT,
                 "serverExporter",
                 Exporter.class,
                 Exporters.jeri(settings, DEADLINE_MILLIS),
-                settings));
+                settings);
+    if (exporter == null) {
+      throw new net.jini.config.ConfigurationException(
+          COMPONENT + ".serverExporter is null; leave it out to have the usual one");
+    }
+    return exporter;
   }
 
-  private static final long DEADLINE_MILLIS =
-      org.dfra.river.call.DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
+  /** A failed step as a sentence that names the place where the module is described. */
+  private static ConfigurationException placed(ModuleDescription description, Exception failure) {
+    if (failure instanceof ConfigurationException known) {
+      // What is not written at all has no place of its own.
+      return String.valueOf(known.getMessage()).startsWith(description.path() + ":")
+          ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
+          : known;
+    } else if (failure instanceof net.jini.config.ConfigurationException) {
+      return fault(
+          description,
+          "its Jini configuration "
+              + description.configuration()
+              + " cannot be used: "
+              + failure.getMessage(),
+          failure);
+    } else if (failure instanceof IOException && !(failure instanceof RemoteException)) {
+      return fault(description, String.valueOf(failure.getMessage()), failure);
+    }
+    return fault(description, "it cannot be served: " + failure, failure);
+  }
+
+  private static ConfigurationException fault(
+      ModuleDescription description, String what, @Nullable Throwable cause) {
+    String message = description.place() + ": module " + description.path() + ": " + what;
+    return cause == null
+        ? new ConfigurationException(message)
+        : new ConfigurationException(message, cause);
+  }
 
   /** Undoes what was done, last first; adds what fails in it to {@code reason}. */
-  private void close(Throwable reason) {
-    while (!undo.isEmpty()) {
-      try {
-        undo.pop().close();
-      } catch (Exception e) {
-        reason.addSuppressed(e);
+  private void undoAll(Throwable reason) {
+    synchronized (undo) {
+      while (!undo.isEmpty()) {
+        try {
+          undo.pop().close();
+        } catch (Exception e) {
+          reason.addSuppressed(e);
+        }
       }
+    }
+  }
+
+  /**
+   * Ends the service: leases, lookup, export and driver, in this order. Does nothing when already
+   * ended.
+   *
+   * @throws IllegalStateException if a part of it could not be ended; the others were
+   */
+  @Override
+  public final void close() {
+    IllegalStateException failure = new IllegalStateException(path + " did not end cleanly");
+    undoAll(failure);
+    if (failure.getSuppressed().length > 0) {
+      throw failure;
     }
   }
 

@@ -5,6 +5,7 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import org.dfra.flow.sensor.Sensor;
 import org.dfra.river.remote.RemoteSensor;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Activatable server of a sensor.
@@ -15,7 +16,8 @@ public abstract class SensorServer<S extends Sensor> extends ModuleServer<S>
     implements RemoteSensor {
 
   /** See {@link ModuleServer#ModuleServer}. */
-  protected SensorServer(Class<S> kind, ActivationID id, MarshalledObject<ModuleActivation> data)
+  protected SensorServer(
+      Class<S> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
     super(kind, id, data);
   }
