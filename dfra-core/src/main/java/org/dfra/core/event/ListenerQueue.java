@@ -30,6 +30,9 @@ public final class ListenerQueue implements AutoCloseable {
   private final Scheduler scheduler;
   private final long period;
 
+  /** What the listener was registered under, it is told under. */
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+
   // all guarded by this
   private final @Nullable Delivery[] ring;
   private int head;
@@ -142,6 +145,9 @@ public final class ListenerQueue implements AutoCloseable {
 
   /** Tells the listener; false when it is to be given up. */
   private boolean tell(Delivery delivery) {
+    Thread thread = Thread.currentThread();
+    @Nullable ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(loader);
     try {
       listener.notify(delivery);
       synchronized (this) {
@@ -151,6 +157,8 @@ public final class ListenerQueue implements AutoCloseable {
       return true;
     } catch (RemoteException | RuntimeException | Error e) {
       return failed(delivery, e);
+    } finally {
+      thread.setContextClassLoader(before);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
@@ -90,14 +91,19 @@ final class BootstrapLoader {
     return new Service(robot + "/registrar", group.name(), register(known, desc));
   }
 
-  /** Registers a module. */
+  /**
+   * Registers a module.
+   *
+   * @param state folder of what outlives its virtual machine
+   */
   Service module(
       ActivationGroupID groupId,
       GroupDescription group,
       ModuleDescription module,
       String host,
       List<String> locators,
-      List<String> lookupGroups)
+      List<String> lookupGroups,
+      Path state)
       throws ActivationException, IOException {
     @Nullable ActivationID known = null;
     UUID identity = UUID.randomUUID();
@@ -114,7 +120,8 @@ final class BootstrapLoader {
             module.serverClass(),
             null,
             new MarshalledObject<>(
-                new ModuleActivation(module, identity, host, lookupGroups, locators)),
+                new ModuleActivation(
+                    module, identity, host, lookupGroups, locators, state.toString())),
             module.restart());
     return new Service(module.path(), group.name(), register(known, desc));
   }

@@ -71,10 +71,21 @@ public final class RobotBootstrap {
       ActivationGroupID groupId = loader.group(group);
       for (ModuleDescription module : group.modules()) {
         services.add(
-            activate(loader.module(groupId, group, module, host, locators(), multicastGroups())));
+            activate(
+                loader.module(
+                    groupId, group, module, host, locators(), multicastGroups(), state(module))));
       }
     }
     return services;
+  }
+
+  private Path state(ModuleDescription module) {
+    return phoenix
+        .state()
+        .toAbsolutePath()
+        .resolve("modules")
+        .resolve(robot.name())
+        .resolve(module.name());
   }
 
   private Service activate(Service service) throws ActivationException, RemoteException {

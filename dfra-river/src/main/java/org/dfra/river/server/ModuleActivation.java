@@ -4,6 +4,7 @@ import java.io.Serializable;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a module's server is activated with. The activation system keeps it, so a resurrected module
@@ -14,17 +15,30 @@ import org.dfra.core.config.ModuleDescription;
  * @param host address or name that the module's proxies carry
  * @param lookupGroups discovery groups whose lookup services it joins; none if empty
  * @param locators lookup services it joins by unicast, {@code jini://host:port} each
+ * @param state folder of what of the module outlives its virtual machine, the module's alone; null
+ *     where nothing is to
  */
 public record ModuleActivation(
     ModuleDescription module,
     UUID id,
     String host,
     List<String> lookupGroups,
-    List<String> locators)
+    List<String> locators,
+    @Nullable String state)
     implements Serializable {
 
   public ModuleActivation {
     lookupGroups = List.copyOf(lookupGroups);
     locators = List.copyOf(locators);
+  }
+
+  /** Of a module that remembers nothing. */
+  public ModuleActivation(
+      ModuleDescription module,
+      UUID id,
+      String host,
+      List<String> lookupGroups,
+      List<String> locators) {
+    this(module, id, host, lookupGroups, locators, null);
   }
 }
