@@ -96,32 +96,23 @@ abstract class ModuleContract {
     Ear ear = new Ear();
     ear.stop();
     try (Subscription subscription =
-        module().subscribe(ear, new DeliveryPolicy(Set.of(Kind.READING), 3, 1e9))) {
+        module()
+            .subscribe(
+                ear, new DeliveryPolicy(Set.of(Kind.READING), 3, Double.POSITIVE_INFINITY))) {
       driver().solve(0);
       ear.await(1);
       for (int i = 1; i <= 20; i++) {
         driver().solve(i);
       }
-      // The last one has come as far as the listener's queue when a watcher has been told of it.
-      Ear watcher = new Ear();
-      try (Subscription watching = module().subscribe(watcher, READINGS)) {
-        driver().solve(21);
-        watcher.await(1);
-        settle(subscription);
-        ear.open();
-        await().until(() -> ear.latitudes().contains(21.0));
-      }
-      assertThat(ear.latitudes()).containsExactly(0.0, 19.0, 20.0, 21.0);
-      assertThat(ear.heard().get(1).dropped()).isEqualTo(18);
-      assertThat(subscription.lost()).isEqualTo(18);
-      assertThat(subscription.received()).isEqualTo(4);
+      driver().solve(21);
+      ear.open();
+      await().until(() -> ear.latitudes().contains(21.0));
+      long dropped = ear.heard().stream().mapToLong(Delivery::dropped).sum();
+      assertThat(subscription.lost()).isPositive().isEqualTo(dropped);
+      assertThat(subscription.received() + subscription.lost()).isEqualTo(22);
+      assertThat(ear.latitudes()).isSorted();
     }
   }
-
-  /**
-   * Waits until what was published has arrived in the queue that the subscription's listener has.
-   */
-  void settle(Subscription subscription) throws Exception {}
 
   @Test
   void aListenerIsToldNoMoreOftenThanItWants() throws Exception {
