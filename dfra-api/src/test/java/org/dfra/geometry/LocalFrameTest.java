@@ -27,8 +27,8 @@ class LocalFrameTest {
 
   /**
    * GeographicLib walks s metres along a geodesic from the datum. In the plane that touches there
-   * the end is at (s sin a, s cos a), but for the chord, s³/6R² shorter (0.4 mm at 500 m... 4 mm at
-   * 1 km), and s²/2R lower; R lies between 6335 and 6400 km, so s² (1/2R) is known to 1 %.
+   * the end is at (s sin a, s cos a), but for s³/6R² (4 µm at 1 km), since the earth bends away,
+   * and s²/2R lower; R lies between 6335 and 6400 km, so that is known to 1 %.
    */
   @Test
   void agreesWithGeographicLibWithinAKilometre() {

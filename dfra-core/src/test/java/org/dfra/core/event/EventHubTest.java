@@ -1,6 +1,7 @@
 package org.dfra.core.event;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Instant;
@@ -64,20 +65,16 @@ class EventHubTest {
             },
             DeliveryPolicy.keepLast(8));
     long[] with = latencies();
+    int threads = pool.threads();
     stopped.countDown();
     hub.remove(blocked);
     System.out.printf(
         "latency of %d listeners, median and 99th of 100, in ms: %.3f %.3f; with one stopped %.3f"
             + " %.3f; threads %d%n",
-        HEALTHY,
-        at(without, 0.5),
-        at(without, 0.99),
-        at(with, 0.5),
-        at(with, 0.99),
-        pool.threads());
+        HEALTHY, at(without, 0.5), at(without, 0.99), at(with, 0.5), at(with, 0.99), threads);
     assertThat(at(with, 0.5)).as("median, ms").isLessThan(at(without, 0.5) + 1);
     assertThat(at(with, 0.99)).as("99th of 100, ms").isLessThan(Math.max(5, 3 * at(without, 0.99)));
-    assertThat(pool.threads()).as("two, and one for the stopped").isLessThanOrEqualTo(3);
+    assertThat(threads).as("two, and one for the stopped").isLessThanOrEqualTo(3);
   }
 
   private static double at(long[] sorted, double share) {
@@ -198,12 +195,10 @@ class EventHubTest {
 
   @Test
   void refusesPoliciesThatCannotBeKept() {
-    org.assertj.core.api.Assertions.assertThatThrownBy(() -> DeliveryPolicy.keepLast(0))
-        .hasMessage("depth 0 is outside 1 to 1024");
-    org.assertj.core.api.Assertions.assertThatThrownBy(
-            () -> DeliveryPolicy.latestReading().atMost(0))
+    assertThatThrownBy(() -> DeliveryPolicy.keepLast(0)).hasMessage("depth 0 is outside 1 to 1024");
+    assertThatThrownBy(() -> DeliveryPolicy.latestReading().atMost(0))
         .hasMessage("rate 0.0 Hz is not above 0");
-    org.assertj.core.api.Assertions.assertThatThrownBy(() -> new DeliveryPolicy(Set.of(), 1, 1))
+    assertThatThrownBy(() -> new DeliveryPolicy(Set.of(), 1, 1))
         .hasMessage("a listener that wants no kind of event needs none");
   }
 }
