@@ -12,6 +12,12 @@ import java.io.Serializable;
 public record GeoPosition(double latitude, double longitude, double height)
     implements Serializable {
 
+  /** Semi-major axis of the WGS84 ellipsoid in metres. */
+  private static final double AXIS = 6_378_137;
+
+  /** Square of the eccentricity of the WGS84 ellipsoid. */
+  private static final double ECCENTRICITY_SQUARED = 6.694_379_990_141_3e-3;
+
   public GeoPosition {
     if (!(Math.abs(latitude) <= 90)) {
       throw new IllegalArgumentException("latitude " + latitude + "° is outside −90° to 90°");
@@ -22,5 +28,31 @@ public record GeoPosition(double latitude, double longitude, double height)
     if (!Double.isFinite(height)) {
       throw new IllegalArgumentException("height " + height + " m is not a finite number");
     }
+  }
+
+  /**
+   * The straight line to another position in metres, heights left out: both positions are taken
+   * down to the ellipsoid. It is shorter than the way along the ground by 1 m in 100 km.
+   */
+  public double groundDistance(GeoPosition other) {
+    double[] here = onEllipsoid();
+    double[] there = other.onEllipsoid();
+    double x = here[0] - there[0];
+    double y = here[1] - there[1];
+    double z = here[2] - there[2];
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  /** Earth-centred coordinates x, y, z in metres of the point below or above on the ellipsoid. */
+  private double[] onEllipsoid() {
+    double phi = Math.toRadians(latitude);
+    double lambda = Math.toRadians(longitude);
+    double sin = Math.sin(phi);
+    double normal = AXIS / Math.sqrt(1 - ECCENTRICITY_SQUARED * sin * sin);
+    return new double[] {
+      normal * Math.cos(phi) * Math.cos(lambda),
+      normal * Math.cos(phi) * Math.sin(lambda),
+      normal * (1 - ECCENTRICITY_SQUARED) * sin
+    };
   }
 }

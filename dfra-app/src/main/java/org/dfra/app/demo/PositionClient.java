@@ -4,10 +4,11 @@ import java.io.IOException;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
+import org.dfra.directory.ModuleDirectory;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.module.Readiness;
-import org.dfra.river.lookup.ModuleFinder;
+import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
  * A client that knows one interface, {@link GPSSensor}, and where to look for lookup services:
@@ -15,23 +16,23 @@ import org.dfra.river.lookup.ModuleFinder;
  */
 final class PositionClient implements AutoCloseable {
 
-  private final ModuleFinder finder;
+  private final ModuleDirectory directory;
   private final GPSSensor gps;
 
-  private PositionClient(ModuleFinder finder, GPSSensor gps) {
-    this.finder = finder;
+  private PositionClient(ModuleDirectory directory, GPSSensor gps) {
+    this.directory = directory;
     this.gps = gps;
   }
 
   /** Finds a GPS receiver through discovery and lookup. */
   static PositionClient find(String locator, Duration patience)
       throws IOException, InterruptedException {
-    ModuleFinder finder = new ModuleFinder(Stage.HOST, List.of(), List.of(locator));
+    ModuleDirectory directory = new JiniModuleDirectory(Stage.HOST, List.of(), List.of(locator));
     GPSSensor gps =
-        finder
+        directory
             .find(GPSSensor.class, patience)
             .orElseThrow(() -> new IOException("no GPS receiver was found at " + locator));
-    return new PositionClient(finder, gps);
+    return new PositionClient(directory, gps);
   }
 
   /** The proxy; always the same one. */
@@ -51,6 +52,6 @@ final class PositionClient implements AutoCloseable {
 
   @Override
   public void close() {
-    finder.close();
+    directory.close();
   }
 }

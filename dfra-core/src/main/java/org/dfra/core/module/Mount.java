@@ -3,24 +3,12 @@ package org.dfra.core.module;
 import org.dfra.core.config.Parameters;
 import org.dfra.geometry.Transform;
 
-/**
- * Where a module is mounted, by its parameters:
- *
- * <ul>
- *   <li>{@code mount_frame}: the frame it stands in; default {@code robot/base_link}
- *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: offset in that frame, metres, −1000 to
- *       1000; default 0
- *   <li>{@code mount_roll}, {@code mount_pitch}, {@code mount_yaw}: turn, radians, −2π to 2π, as
- *       {@link Transform#of}; default 0
- * </ul>
- *
- * <p>All of them can be set while the module runs.
- */
+/** Where a module is mounted, by its parameters; see {@link SensorImpl}. */
 final class Mount {
 
   private static final String[] OFFSETS = {"mount_x", "mount_y", "mount_z"};
   private static final String[] ANGLES = {"mount_roll", "mount_pitch", "mount_yaw"};
-  private static final double FARTHEST = 1000;
+  private static final double FARTHEST = 100;
   private static final double TURN = 2 * Math.PI;
 
   private final double[] values = new double[6]; // guarded by this

@@ -7,8 +7,16 @@ import org.dfra.module.Diagnosis;
 import org.dfra.module.Precondition;
 
 /**
- * Base of every sensor's driver. It is mounted somewhere ({@link Mount}), can be examined, and
- * begins a chain.
+ * Base of every sensor's driver. It can be examined, begins a chain, and is mounted somewhere, by
+ * its parameters, all of which can be set while it runs:
+ *
+ * <ul>
+ *   <li>{@code mount_frame}: the frame it stands in; default {@code robot/base_link}
+ *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: offset in that frame, metres, −100 to
+ *       100; default 0
+ *   <li>{@code mount_roll}, {@code mount_pitch}, {@code mount_yaw}: turn, radians, −2π to 2π, as
+ *       {@link Transform#of}; default 0
+ * </ul>
  */
 public abstract class SensorImpl extends ModuleImpl implements Sensor {
 

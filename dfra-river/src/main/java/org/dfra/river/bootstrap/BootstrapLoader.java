@@ -11,11 +11,13 @@ import java.rmi.activation.ActivationGroupDesc.CommandEnvironment;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.TreeMap;
 import java.util.UUID;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
@@ -94,11 +96,11 @@ final class BootstrapLoader {
   /**
    * Registers a module.
    *
-   * @param state folder of what outlives its virtual machine
+   * @param state folder of what of it outlives its virtual machine
    */
   Service module(
       ActivationGroupID groupId,
-      GroupDescription group,
+      String group,
       ModuleDescription module,
       String host,
       List<String> locators,
@@ -107,11 +109,13 @@ final class BootstrapLoader {
       throws ActivationException, IOException {
     @Nullable ActivationID known = null;
     UUID identity = UUID.randomUUID();
+    Instant created = Instant.now();
     for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
       Optional<ModuleActivation> data = activationData(each.getValue());
       if (data.isPresent() && data.get().module().name().equals(module.name())) {
         known = each.getKey();
         identity = data.get().id();
+        created = data.get().created();
       }
     }
     ActivationDesc desc =
@@ -121,9 +125,46 @@ final class BootstrapLoader {
             null,
             new MarshalledObject<>(
                 new ModuleActivation(
-                    module, identity, host, lookupGroups, locators, state.toString())),
+                    module, identity, created, host, lookupGroups, locators, state.toString())),
             module.restart());
-    return new Service(module.path(), group.name(), register(known, desc));
+    return new Service(module.path(), group, register(known, desc));
+  }
+
+  /**
+   * A module that is registered.
+   *
+   * @param groupId its group's ID
+   * @param group its group's name, without the robot's
+   */
+  record Registered(
+      ActivationID id, ActivationGroupID groupId, String group, ModuleActivation activation) {}
+
+  /** The robot's modules that are registered now, by name. */
+  Map<String, Registered> registered() throws ActivationException, RemoteException {
+    Map<String, Registered> modules = new TreeMap<>();
+    String prefix = robot + ".";
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
+    for (Map.Entry<ActivationGroupID, ActivationGroupDesc> group : groups.entrySet()) {
+      @Nullable Properties properties = group.getValue().getPropertyOverrides();
+      @Nullable String name =
+          properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
+      if (name != null && name.startsWith(prefix)) {
+        for (Map.Entry<ActivationID, ActivationDesc> each : objects(group.getKey()).entrySet()) {
+          activationData(each.getValue())
+              .ifPresent(
+                  data ->
+                      modules.put(
+                          data.module().name(),
+                          new Registered(
+                              each.getKey(),
+                              group.getKey(),
+                              name.substring(prefix.length()),
+                              data)));
+        }
+      }
+    }
+    return modules;
   }
 
   private ActivationID register(@Nullable ActivationID known, ActivationDesc desc)

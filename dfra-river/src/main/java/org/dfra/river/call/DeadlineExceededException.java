@@ -2,9 +2,10 @@ package org.dfra.river.call;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
+import org.dfra.directory.KnownOutcome;
 
 /** A remote call got no answer within its deadline. */
-public final class DeadlineExceededException extends RemoteException {
+public final class DeadlineExceededException extends RemoteException implements KnownOutcome {
 
   private static final long serialVersionUID = 1L;
 
@@ -35,7 +36,7 @@ public final class DeadlineExceededException extends RemoteException {
     this.mayHaveRun = false;
   }
 
-  /** Whether the server may have carried out the call; false means it certainly has not. */
+  @Override
   public boolean mayHaveRun() {
     return mayHaveRun;
   }

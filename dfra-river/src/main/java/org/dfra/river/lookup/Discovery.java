@@ -2,37 +2,71 @@ package org.dfra.river.lookup;
 
 import java.io.IOException;
 import java.net.MalformedURLException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.discovery.LookupLocator;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.discovery.DiscoveryEvent;
+import net.jini.discovery.DiscoveryGroupManagement;
+import net.jini.discovery.DiscoveryListener;
+import net.jini.discovery.DiscoveryLocatorManagement;
 import net.jini.discovery.DiscoveryManagement;
-import net.jini.discovery.LookupDiscoveryManager;
-import net.jini.discovery.LookupLocatorDiscovery;
+import net.jini.discovery.LookupDiscovery;
+import org.jspecify.annotations.Nullable;
 
-/** How lookup services are found. */
-final class Discovery {
+/**
+ * Finds lookup services: by group over multicast, which is River's work, and at locators by
+ * unicast. One that is found both ways is one. No multicast socket is opened while there are no
+ * groups.
+ */
+public final class Discovery
+    implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {
 
-  private Discovery() {}
+  /** How long to wait before a locator where nobody answered is tried again. */
+  public static final Duration LOCATOR_RETRY = Duration.ofSeconds(1);
+
+  private final Configuration configuration;
+  private final Duration retry;
+  private final List<DiscoveryListener> listeners = new CopyOnWriteArrayList<>();
+  private final Map<ServiceID, ServiceRegistrar> found = new LinkedHashMap<>(); // guarded by this
+  private final List<LocatorSearch> searches = new ArrayList<>(); // guarded by this
+  private @Nullable LookupDiscovery multicast; // guarded by this
+  private boolean ended; // guarded by this
+
+  private Discovery(Configuration configuration, Duration retry) {
+    this.configuration = configuration;
+    this.retry = retry;
+  }
 
   /**
    * Begins to look for lookup services.
    *
-   * @param groups discovery groups, found by multicast; where there are none, no multicast socket
-   *     is opened
+   * @param groups discovery groups, found by multicast; none if empty
    * @param locators {@code jini://host:port} each, found by unicast
+   * @param retry how long to wait before a locator where nobody answered is tried again
    * @throws IOException if multicast cannot be used or a locator is malformed
    */
-  static DiscoveryManagement begin(
-      List<String> groups, List<String> locators, Configuration configuration)
+  static Discovery begin(
+      List<String> groups, List<String> locators, Duration retry, Configuration configuration)
       throws IOException, ConfigurationException {
     LookupLocator[] known = new LookupLocator[locators.size()];
     for (int i = 0; i < known.length; i++) {
       known[i] = locator(locators.get(i));
     }
-    return groups.isEmpty()
-        ? new LookupLocatorDiscovery(known, configuration)
-        : new LookupDiscoveryManager(groups.toArray(String[]::new), known, null, configuration);
+    Discovery discovery = new Discovery(configuration, retry);
+    if (!groups.isEmpty()) {
+      discovery.multicast(groups.toArray(String[]::new));
+    }
+    discovery.addLocators(known);
+    return discovery;
   }
 
   private static LookupLocator locator(String text) throws IOException {
@@ -42,5 +76,191 @@ final class Discovery {
       throw new IOException(
           "the locator \"" + text + "\" is not of the form jini://host or jini://host:port", e);
     }
+  }
+
+  private synchronized void multicast(String[] groups) throws IOException, ConfigurationException {
+    LookupDiscovery begun = new LookupDiscovery(groups, configuration);
+    multicast = begun;
+    begun.addDiscoveryListener(
+        new DiscoveryListener() {
+          @Override
+          public void discovered(DiscoveryEvent event) {
+            for (ServiceRegistrar each : event.getRegistrars()) {
+              add(each);
+            }
+          }
+
+          @Override
+          public void discarded(DiscoveryEvent event) {
+            for (ServiceRegistrar each : event.getRegistrars()) {
+              if (!isAtLocator(each.getServiceID())) {
+                remove(each);
+              }
+            }
+          }
+        });
+  }
+
+  private synchronized boolean isAtLocator(ServiceID id) {
+    return searches.stream().anyMatch(search -> id.equals(search.found()));
+  }
+
+  private void add(ServiceRegistrar registrar) {
+    synchronized (this) {
+      if (ended || found.putIfAbsent(registrar.getServiceID(), registrar) != null) {
+        return;
+      }
+    }
+    DiscoveryEvent event = new DiscoveryEvent(this, new ServiceRegistrar[] {registrar});
+    listeners.forEach(listener -> listener.discovered(event));
+  }
+
+  private void remove(ServiceRegistrar registrar) {
+    synchronized (this) {
+      if (found.remove(registrar.getServiceID()) == null) {
+        return;
+      }
+    }
+    DiscoveryEvent event = new DiscoveryEvent(this, new ServiceRegistrar[] {registrar});
+    listeners.forEach(listener -> listener.discarded(event));
+  }
+
+  @Override
+  public void addDiscoveryListener(DiscoveryListener listener) {
+    ServiceRegistrar[] known;
+    synchronized (this) {
+      listeners.add(listener);
+      known = getRegistrars();
+    }
+    if (known.length > 0) {
+      listener.discovered(new DiscoveryEvent(this, known));
+    }
+  }
+
+  @Override
+  public void removeDiscoveryListener(DiscoveryListener listener) {
+    listeners.remove(listener);
+  }
+
+  @Override
+  public synchronized ServiceRegistrar[] getRegistrars() {
+    return found.values().toArray(ServiceRegistrar[]::new);
+  }
+
+  /** {@inheritDoc} Then looks for it again. */
+  @Override
+  public void discard(ServiceRegistrar registrar) {
+    remove(registrar);
+    @Nullable LookupDiscovery groups;
+    List<LocatorSearch> all;
+    synchronized (this) {
+      groups = multicast;
+      all = List.copyOf(searches);
+    }
+    if (groups != null) {
+      groups.discard(registrar);
+    }
+    all.forEach(search -> search.discard(registrar.getServiceID()));
+  }
+
+  @Override
+  public void terminate() {
+    @Nullable LookupDiscovery groups;
+    List<LocatorSearch> all;
+    synchronized (this) {
+      ended = true;
+      groups = multicast;
+      all = List.copyOf(searches);
+      searches.clear();
+      listeners.clear();
+    }
+    if (groups != null) {
+      groups.terminate();
+    }
+    all.forEach(LocatorSearch::close);
+  }
+
+  @Override
+  public synchronized String[] getGroups() {
+    return multicast == null ? NO_GROUPS : multicast.getGroups();
+  }
+
+  @Override
+  public synchronized void addGroups(String[] groups) throws IOException {
+    if (multicast != null) {
+      multicast.addGroups(groups);
+    } else {
+      setGroups(groups);
+    }
+  }
+
+  @Override
+  public synchronized void setGroups(String[] groups) throws IOException {
+    if (multicast != null) {
+      multicast.setGroups(groups);
+    } else if (groups == ALL_GROUPS || groups.length > 0) {
+      try {
+        multicast(groups);
+      } catch (ConfigurationException e) {
+        throw new IOException("multicast discovery cannot be configured: " + e.getMessage(), e);
+      }
+    }
+  }
+
+  @Override
+  public synchronized void removeGroups(String[] groups) {
+    if (multicast != null) {
+      multicast.removeGroups(groups);
+    }
+  }
+
+  @Override
+  public synchronized LookupLocator[] getLocators() {
+    return searches.stream().map(LocatorSearch::locator).toArray(LookupLocator[]::new);
+  }
+
+  @Override
+  public synchronized void addLocators(LookupLocator[] locators) {
+    for (LookupLocator each : locators) {
+      if (!ended && searches.stream().noneMatch(search -> search.locator().equals(each))) {
+        LocatorSearch search = new LocatorSearch(each, retry, this::add);
+        searches.add(search);
+        search.start();
+      }
+    }
+  }
+
+  @Override
+  public void setLocators(LookupLocator[] locators) {
+    List<LookupLocator> wanted = Arrays.asList(locators);
+    removeLocators(
+        Arrays.stream(getLocators())
+            .filter(each -> !wanted.contains(each))
+            .toArray(LookupLocator[]::new));
+    addLocators(locators);
+  }
+
+  @Override
+  public void removeLocators(LookupLocator[] locators) {
+    List<LookupLocator> unwanted = Arrays.asList(locators);
+    List<ServiceRegistrar> lost = new ArrayList<>();
+    synchronized (this) {
+      List<LocatorSearch> ending =
+          searches.stream().filter(search -> unwanted.contains(search.locator())).toList();
+      searches.removeAll(ending);
+      List<ServiceRegistrar> byGroup =
+          multicast == null ? List.of() : Arrays.asList(multicast.getRegistrars());
+      for (LocatorSearch search : ending) {
+        search.close();
+        @Nullable ServiceID id = search.found();
+        @Nullable ServiceRegistrar registrar = id == null ? null : found.get(id);
+        if (registrar != null
+            && !isAtLocator(registrar.getServiceID())
+            && !byGroup.contains(registrar)) {
+          lost.add(registrar);
+        }
+      }
+    }
+    lost.forEach(this::remove);
   }
 }

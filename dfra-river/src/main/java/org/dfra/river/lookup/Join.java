@@ -8,18 +8,16 @@ import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
-import net.jini.discovery.DiscoveryManagement;
 import net.jini.lease.LeaseRenewalManager;
 import net.jini.lookup.JoinManager;
-import net.jini.lookup.entry.Name;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
 
-  private final DiscoveryManagement discovery;
+  private final Discovery discovery;
   private final JoinManager manager;
 
-  private Join(DiscoveryManagement discovery, JoinManager manager) {
+  private Join(Discovery discovery, JoinManager manager) {
     this.discovery = discovery;
     this.manager = manager;
   }
@@ -29,7 +27,7 @@ public final class Join implements AutoCloseable {
    *
    * @param proxy what clients get
    * @param id the module's identity, the same after every restart
-   * @param name the module's path, {@code robot/name}
+   * @param attributes what it is registered with
    * @param groups discovery groups; none if empty
    * @param locators {@code jini://host:port} each
    * @param configuration entries of River's own components, such as {@code
@@ -39,26 +37,42 @@ public final class Join implements AutoCloseable {
   public static Join join(
       Serializable proxy,
       UUID id,
-      String name,
+      Entry[] attributes,
       List<String> groups,
       List<String> locators,
       Configuration configuration)
       throws IOException, ConfigurationException {
-    DiscoveryManagement discovery = Discovery.begin(groups, locators, configuration);
+    Configuration timed = RobotPace.configuration(configuration);
+    Discovery discovery = Discovery.begin(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
       return new Join(
           discovery,
           new JoinManager(
               proxy,
-              new Entry[] {new Name(name)},
+              attributes,
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
-              new LeaseRenewalManager(configuration),
-              configuration));
+              new LeaseRenewalManager(timed),
+              timed));
     } catch (IOException | ConfigurationException | RuntimeException e) {
       discovery.terminate();
       throw e;
     }
+  }
+
+  /** How lookup services are found; what is changed there counts at once. */
+  public Discovery discovery() {
+    return discovery;
+  }
+
+  /** What the module is registered with. */
+  public Entry[] attributes() {
+    return manager.getAttributes();
+  }
+
+  /** Registers the module with other attributes from now on. Returns at once. */
+  public void setAttributes(Entry[] attributes) {
+    manager.setAttributes(attributes);
   }
 
   /** Takes the module out of every lookup service it joined. */

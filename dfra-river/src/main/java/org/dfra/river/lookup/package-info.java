@@ -1,7 +1,12 @@
 /**
  * Lookup: how modules enter the lookup services and how clients find them there.
  *
- * <p>Enter at {@link org.dfra.river.lookup.ModuleFinder} as a client, at {@link
+ * <pre>
+ *   Join --registers--&gt; lookup services --events--&gt; RegistrarWatch --&gt; Sightings --&gt; directory
+ *     \______________________ Discovery ______________________/
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.river.lookup.JiniModuleDirectory} as a client, at {@link
  * org.dfra.river.lookup.Join} as a server.
  */
 @NullMarked

@@ -33,6 +33,11 @@ public final class LocalModules {
     MODULES.remove(id, module);
   }
 
+  /** Whether the module's implementation lives in this virtual machine. */
+  public static boolean holds(UUID id) {
+    return MODULES.containsKey(id);
+  }
+
   /** The module's implementation, or null where it lives elsewhere. */
   static @Nullable Module find(UUID id) {
     return MODULES.get(id);

@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
+import net.jini.admin.Administrable;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -31,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <M> the module's interface
  */
-public abstract class ModuleProxy<M extends Module> implements Module, Serializable {
+public abstract class ModuleProxy<M extends Module> implements Module, Administrable, Serializable {
 
   private static final long serialVersionUID = 1L;
 
@@ -137,6 +138,12 @@ public abstract class ModuleProxy<M extends Module> implements Module, Serializa
   @Override
   public final void setParameter(String name, String text) throws RemoteException {
     target().setParameter(name, text);
+  }
+
+  /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
+  @Override
+  public final Object getAdmin() throws RemoteException {
+    return server.getAdmin();
   }
 
   /** The module's identity, its service ID in the lookup service. */

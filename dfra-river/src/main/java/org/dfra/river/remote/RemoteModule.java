@@ -3,6 +3,7 @@ package org.dfra.river.remote;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import net.jini.admin.Administrable;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -13,7 +14,7 @@ import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 
 /** What clients may call on any module's server. */
-public interface RemoteModule extends Module, Remote {
+public interface RemoteModule extends Module, Remote, Administrable {
 
   /** The longest that one call waits at the server; proxies wait longer in several calls. */
   Duration LONGEST_WAIT = Duration.ofSeconds(1);

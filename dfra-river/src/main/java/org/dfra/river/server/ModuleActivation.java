@@ -1,6 +1,7 @@
 package org.dfra.river.server;
 
 import java.io.Serializable;
+import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
@@ -12,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param module the module's description
  * @param id the module's identity, its service ID in every lookup service
+ * @param created when the module was first registered with its robot, UTC
  * @param host address or name that the module's proxies carry
  * @param lookupGroups discovery groups whose lookup services it joins; none if empty
  * @param locators lookup services it joins by unicast, {@code jini://host:port} each
@@ -21,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 public record ModuleActivation(
     ModuleDescription module,
     UUID id,
+    Instant created,
     String host,
     List<String> lookupGroups,
     List<String> locators,
@@ -32,13 +35,24 @@ public record ModuleActivation(
     locators = List.copyOf(locators);
   }
 
-  /** Of a module that remembers nothing. */
+  /** The same for a module that is registered for the first time, and remembers nothing. */
   public ModuleActivation(
       ModuleDescription module,
       UUID id,
       String host,
       List<String> lookupGroups,
       List<String> locators) {
-    this(module, id, host, lookupGroups, locators, null);
+    this(module, id, Instant.now(), host, lookupGroups, locators, null);
+  }
+
+  /** The same for a module that remembers nothing. */
+  public ModuleActivation(
+      ModuleDescription module,
+      UUID id,
+      Instant created,
+      String host,
+      List<String> lookupGroups,
+      List<String> locators) {
+    this(module, id, created, host, lookupGroups, locators, null);
   }
 }

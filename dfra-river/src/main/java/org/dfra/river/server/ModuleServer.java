@@ -8,6 +8,7 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -22,6 +23,7 @@ import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.lease.LeaseBook.Holder;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
@@ -41,7 +43,6 @@ import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.lookup.Join;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.LeasedUse;
@@ -70,6 +71,7 @@ public abstract class ModuleServer<M extends Module>
   private final Remote remote;
   private final ModuleLandlord landlord;
   private final RemoteListeners listeners;
+  private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
 
   /**
@@ -115,14 +117,21 @@ public abstract class ModuleServer<M extends Module>
           proxy(description, kind, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
-      undo.push(
-          Join.join(
+      ModulePresence presence =
+          new ModulePresence(
+              new SelfDescription(
+                  driver,
+                  activation.host(),
+                  activation.created(),
+                  Instant.now(),
+                  driver.leases()::clients),
               proxy,
-              activation.id(),
-              path,
-              activation.lookupGroups(),
-              activation.locators(),
-              configuration));
+              activation,
+              configuration);
+      undo.push(presence);
+      this.administration =
+          new ModuleAdministration(presence, activation.host(), id, exporter, this);
+      undo.push(administration);
     } catch (Exception e) {
       ConfigurationException fault = placed(description, e);
       undoAll(fault);
@@ -263,12 +272,14 @@ public abstract class ModuleServer<M extends Module>
           ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
           : known;
     } else if (failure instanceof net.jini.config.ConfigurationException) {
+      String message = String.valueOf(failure.getMessage());
+      String file = String.valueOf(description.configuration());
       return fault(
           description,
           "its Jini configuration "
-              + description.configuration()
-              + " cannot be used: "
-              + failure.getMessage(),
+              + (message.contains(file) ? "" : file + " ")
+              + "cannot be used: "
+              + message,
           failure);
     } else if (failure instanceof IOException && !(failure instanceof RemoteException)) {
       return fault(description, String.valueOf(failure.getMessage()), failure);
@@ -325,6 +336,12 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Object getProxy() {
     return remote;
+  }
+
+  /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
+  @Override
+  public final Object getAdmin() throws RemoteException {
+    return administration.stub();
   }
 
   @Override

@@ -34,7 +34,14 @@ final class Served {
     return new GPSServer(
         null,
         new MarshalledObject<>(
-            new ModuleActivation(description, id, "127.0.0.1", List.of(), List.of(), state)));
+            new ModuleActivation(
+                description,
+                id,
+                java.time.Instant.now(),
+                "127.0.0.1",
+                List.of(),
+                List.of(),
+                state)));
   }
 
   static GPSProxy proxy(RemoteModule stub, UUID id, GPSServer server) throws Exception {

@@ -19,6 +19,8 @@ import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,6 +37,8 @@ import org.jspecify.annotations.Nullable;
  *       default 10; can be set while it runs
  *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
  *       again, at first and at most; default 0.5 and 8
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: where the antenna is, see {@link
+ *       SensorImpl}
  * </ul>
  *
  * <p>A receiver that has had no client yet works at {@code rate}, so that it is warm when the first
@@ -50,7 +54,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads: one reader ({@code name reader}), owned by a {@link LinkKeeper} from {@code start} to
  * {@code close}, does all the work. Askers see immutable snapshots and never wait for the device.
  */
-public final class M12PlusImpl extends SensorImpl implements GPSSensor {
+public final class M12PlusImpl extends SensorImpl implements GPSSensor, Described {
 
   /**
    * What the receiver last told; immutable.
@@ -75,11 +79,13 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
   private final M12Heard heard;
   private final Ticker ticker;
   private final LinkKeeper keeper;
+  private final M12Attributes attributes;
 
   // written by the reader, read by anyone
   private volatile @Nullable Snapshot snapshot;
   private volatile @Nullable ReceiverIdentification receiver;
   private volatile @Nullable ReceiverStatus status;
+  private volatile @Nullable Integer channels;
   private volatile M12Counts counts = M12Counts.ZERO;
   private volatile String awaits = "it has not been started";
 
@@ -108,6 +114,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
     this.rate =
         new M12Rate(secondsIn(settings(), "rate", 1), secondsIn(settings(), "idle_rate", 10));
     this.heard = new M12Heard(ticker);
+    this.attributes = new M12Attributes();
     M12Dialogue dialogue = new M12Dialogue(rate, ticker, log, new Reader());
     this.keeper =
         new LinkKeeper(
@@ -210,6 +217,19 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
     return Optional.ofNullable(receiver);
   }
 
+  /** {@inheritDoc} The location is one that the receiver was at not long ago. */
+  @Override
+  public List<Attributes> attributes() {
+    @Nullable Snapshot current = readiness().serves() ? snapshot : null;
+    return attributes.all(
+        receiver,
+        channels,
+        current == null ? null : current.location(),
+        frame(),
+        parentFrame(),
+        localTransform());
+  }
+
   /** What has come over the link since the module was started, all openings together. */
   public M12Counts counts() {
     return counts;
@@ -246,6 +266,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor {
         status = position.status();
       }
       Instant now = clock().instant();
+      channels = message.channels().size();
       GpsFix fix = message.toFix();
       Snapshot last = snapshot;
       if (fix.position() != null) {

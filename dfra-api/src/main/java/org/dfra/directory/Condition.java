@@ -1,0 +1,144 @@
+package org.dfra.directory;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one component of an attribute record must be. An unknown value, null, meets no condition.
+ */
+public sealed interface Condition {
+
+  /** Equal to a value; numbers are compared as numbers, whatever their types. */
+  static Condition equalTo(Object value) {
+    return new EqualTo(value);
+  }
+
+  /** A number not below {@code least}. */
+  static Condition atLeast(double least) {
+    return new InRange(least, Double.POSITIVE_INFINITY);
+  }
+
+  /** A number not above {@code most}. */
+  static Condition atMost(double most) {
+    return new InRange(Double.NEGATIVE_INFINITY, most);
+  }
+
+  /** A number from {@code least} to {@code most}, both included. */
+  static Condition between(double least, double most) {
+    return new InRange(least, most);
+  }
+
+  /** A list with this text among its texts, or a text with this one somewhere in it. */
+  static Condition contains(String text) {
+    return new Containing(text);
+  }
+
+  /** Whether a component's value is what it must be. */
+  boolean test(@Nullable Object value);
+
+  /** What is wrong with asking this of a component of that type; null if nothing is. */
+  @Nullable String complaint(Class<?> type);
+
+  /** See {@link #equalTo}. */
+  record EqualTo(Object value) implements Condition {
+    @Override
+    public boolean test(@Nullable Object found) {
+      return found instanceof Number one && value instanceof Number other
+          ? one.doubleValue() == other.doubleValue()
+          : value.equals(found);
+    }
+
+    @Override
+    public @Nullable String complaint(Class<?> type) {
+      Class<?> boxed = boxed(type);
+      boolean fits =
+          boxed.isInstance(value)
+              || (Number.class.isAssignableFrom(boxed) && value instanceof Number);
+      return fits
+          ? null
+          : "is a "
+              + boxed.getSimpleName()
+              + " and never equals the "
+              + value.getClass().getSimpleName()
+              + " "
+              + value;
+    }
+
+    @Override
+    public String toString() {
+      return "= " + value;
+    }
+  }
+
+  /** See {@link #between}; an infinite end is none. */
+  record InRange(double least, double most) implements Condition {
+
+    public InRange {
+      if (!(least <= most)) {
+        throw new IllegalArgumentException(
+            "no number is at least " + least + " and at most " + most + "; exchange the two");
+      }
+    }
+
+    @Override
+    public boolean test(@Nullable Object found) {
+      return found instanceof Number number
+          && number.doubleValue() >= least
+          && number.doubleValue() <= most;
+    }
+
+    @Override
+    public @Nullable String complaint(Class<?> type) {
+      Class<?> boxed = boxed(type);
+      return Number.class.isAssignableFrom(boxed)
+          ? null
+          : "is a " + boxed.getSimpleName() + " and has no range; only numbers do";
+    }
+
+    @Override
+    public String toString() {
+      if (least == Double.NEGATIVE_INFINITY) {
+        return "≤ " + most;
+      }
+      return most == Double.POSITIVE_INFINITY ? "≥ " + least : "from " + least + " to " + most;
+    }
+  }
+
+  /** See {@link #contains}. */
+  record Containing(String text) implements Condition {
+    @Override
+    public boolean test(@Nullable Object found) {
+      return found instanceof String string
+          ? string.contains(text)
+          : found instanceof List<?> list && list.contains(text);
+    }
+
+    @Override
+    public @Nullable String complaint(Class<?> type) {
+      return type == String.class || type == List.class
+          ? null
+          : "is a "
+              + boxed(type).getSimpleName()
+              + " and contains nothing; only texts and lists do";
+    }
+
+    @Override
+    public String toString() {
+      return "contains \"" + text + "\"";
+    }
+  }
+
+  private static Class<?> boxed(Class<?> type) {
+    return Map.<Class<?>, Class<?>>of(
+            int.class, Integer.class,
+            long.class, Long.class,
+            double.class, Double.class,
+            float.class, Float.class,
+            short.class, Short.class,
+            byte.class, Byte.class,
+            boolean.class, Boolean.class,
+            char.class, Character.class)
+        .getOrDefault(type, type);
+  }
+}

@@ -1,0 +1,60 @@
+package org.dfra.directory;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+
+/**
+ * A module as the directory knows it. A snapshot: it does not change any more.
+ *
+ * @param id the module's identity, the same after every restart
+ * @param module the module, or its proxy
+ * @param robot name of its robot; empty where it has not told
+ * @param name name of the module; empty where it has not told
+ * @param attributes what it says of itself
+ * @param locality how far away it is
+ * @param stale whether nobody vouches for it any more: every lookup service that knew it is out of
+ *     reach. It may still answer.
+ * @param confirmed since when it is known as it is here, or, where it is stale, when somebody last
+ *     vouched for it; the asker's clock, UTC
+ * @param <M> the interface that it was asked for by
+ */
+public record ModuleListing<M extends Module>(
+    UUID id,
+    M module,
+    String robot,
+    String name,
+    List<Attributes> attributes,
+    Locality locality,
+    boolean stale,
+    Instant confirmed) {
+
+  public ModuleListing {
+    attributes = List.copyOf(attributes);
+  }
+
+  /** The attributes of one kind, if the module has told any. */
+  public <A extends Attributes> Optional<A> attributes(Class<A> kind) {
+    for (Attributes each : attributes) {
+      if (kind.isInstance(each)) {
+        return Optional.of(kind.cast(each));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** How long nobody has vouched for it; zero where it is not stale. */
+  public Duration age(Instant now) {
+    Duration since = Duration.between(confirmed, now);
+    return stale && !since.isNegative() ? since : Duration.ZERO;
+  }
+
+  /** {@code robot/name}. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

@@ -1,0 +1,191 @@
+package org.dfra.directory;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.LocationAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What somebody looks for: modules that implement an interface and meet every condition added.
+ * Immutable; each method gives a further query. What cannot be asked is refused when it is added.
+ *
+ * <pre>{@code
+ * ModuleQuery.of(LocationSensor.class)
+ *     .where(SensorAttributes.class, "maxRate", Condition.atLeast(1))   // Hz
+ *     .where(GpsReceiverAttributes.class, "fixModes", Condition.contains("3D"))
+ *     .within(50, here)                                                 // metres
+ * }</pre>
+ *
+ * @param <M> the interface
+ */
+public final class ModuleQuery<M extends Module> {
+
+  private final Class<M> kind;
+  private final @Nullable String robot;
+  private final @Nullable String name;
+  private final List<AttributeTest> tests;
+  private final @Nullable Circle circle;
+
+  private record Circle(double metres, GeoPosition centre) {}
+
+  private ModuleQuery(
+      Class<M> kind,
+      @Nullable String robot,
+      @Nullable String name,
+      List<AttributeTest> tests,
+      @Nullable Circle circle) {
+    this.kind = kind;
+    this.robot = robot;
+    this.name = name;
+    this.tests = tests;
+    this.circle = circle;
+  }
+
+  /**
+   * Every module of a kind, on any robot.
+   *
+   * @throws IllegalArgumentException if {@code kind} is no interface
+   */
+  public static <M extends Module> ModuleQuery<M> of(Class<M> kind) {
+    if (!kind.isInterface()) {
+      throw new IllegalArgumentException(
+          kind.getName() + " is a class; ask for an interface, since a proxy is of another class");
+    }
+    return new ModuleQuery<>(kind, null, null, List.of(), null);
+  }
+
+  /**
+   * The same by the interface's full name, for those who take it from a person.
+   *
+   * @throws IllegalArgumentException if there is no such interface, or it is no module's
+   */
+  public static ModuleQuery<? extends Module> ofKind(String kind) {
+    @Nullable ClassLoader context = Thread.currentThread().getContextClassLoader();
+    try {
+      Class<?> type =
+          Class.forName(
+              kind, false, context != null ? context : ModuleQuery.class.getClassLoader());
+      if (!Module.class.isAssignableFrom(type)) {
+        throw new IllegalArgumentException(
+            kind
+                + " is no kind of module; name an interface that extends "
+                + Module.class.getName());
+      }
+      return of(type.asSubclass(Module.class));
+    } catch (ClassNotFoundException | LinkageError e) {
+      throw new IllegalArgumentException(
+          "there is no module type \""
+              + kind
+              + "\"; write the full name of an interface, such as"
+              + " org.dfra.flow.sensor.GPSSensor",
+          e);
+    }
+  }
+
+  /** Only on this robot. */
+  public ModuleQuery<M> robot(String wanted) {
+    return new ModuleQuery<>(kind, wanted, name, tests, circle);
+  }
+
+  /** Only with this name. */
+  public ModuleQuery<M> name(String wanted) {
+    return new ModuleQuery<>(kind, robot, wanted, tests, circle);
+  }
+
+  /**
+   * Only where a component of an attribute record meets a condition.
+   *
+   * @throws IllegalArgumentException if the record has no such component, or its type does not fit
+   *     the condition, such as a range of texts
+   */
+  public ModuleQuery<M> where(
+      Class<? extends Attributes> type, String component, Condition condition) {
+    List<AttributeTest> more = new ArrayList<>(tests);
+    more.add(AttributeTest.of(type, component, condition));
+    return new ModuleQuery<>(kind, robot, name, List.copyOf(more), circle);
+  }
+
+  /**
+   * Only near a position. A module is where its {@link LocationAttributes} say; one without them is
+   * where its robot is, by those of the robot's other modules; one on a robot that does not say
+   * where it is, is near nothing.
+   *
+   * @param metres the greatest distance in metres, as {@link GeoPosition#groundDistance}
+   * @throws IllegalArgumentException if the distance is negative or no number
+   */
+  public ModuleQuery<M> within(double metres, GeoPosition position) {
+    if (!(metres >= 0)) {
+      throw new IllegalArgumentException(
+          "no module is within " + metres + " m; ask for 0 m or more");
+    }
+    return new ModuleQuery<>(kind, robot, name, tests, new Circle(metres, position));
+  }
+
+  /** The interface that is asked for. */
+  public Class<M> kind() {
+    return kind;
+  }
+
+  /**
+   * Whether a module is what is asked for.
+   *
+   * @param robots where a robot is, by its name
+   */
+  public boolean matches(
+      ModuleListing<?> candidate, Function<String, Optional<GeoPosition>> robots) {
+    if (!kind.isInstance(candidate.module())
+        || (robot != null && !robot.equals(candidate.robot()))
+        || (name != null && !name.equals(candidate.name()))) {
+      return false;
+    }
+    for (AttributeTest test : tests) {
+      if (!test.test(candidate.attributes())) {
+        return false;
+      }
+    }
+    return circle == null || isNear(circle, candidate, robots);
+  }
+
+  private static boolean isNear(
+      Circle circle, ModuleListing<?> candidate, Function<String, Optional<GeoPosition>> robots) {
+    return candidate
+        .attributes(LocationAttributes.class)
+        .map(LocationAttributes::position)
+        .or(() -> robots.apply(candidate.robot()))
+        .filter(position -> position.groundDistance(circle.centre()) <= circle.metres())
+        .isPresent();
+  }
+
+  /** In words, as the end of "there is no …". */
+  @Override
+  public String toString() {
+    StringBuilder words = new StringBuilder(kind.getSimpleName());
+    if (name != null) {
+      words.append(" named ").append(name);
+    }
+    if (robot != null) {
+      words.append(" on ").append(robot);
+    }
+    String joint = " with ";
+    for (AttributeTest test : tests) {
+      words.append(joint).append(test);
+      joint = " and ";
+    }
+    if (circle != null) {
+      words.append(
+          String.format(
+              Locale.ROOT,
+              " within %s m of %.6f°, %.6f°",
+              circle.metres(),
+              circle.centre().latitude(),
+              circle.centre().longitude()));
+    }
+    return words.toString();
+  }
+}

@@ -1,0 +1,36 @@
+package org.dfra.directory;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.module.Module;
+import org.dfra.persona.PersonaAttributes;
+
+/**
+ * A robot as the directory knows it. A snapshot.
+ *
+ * @param robot name of the robot
+ * @param attributes its role, goals and limitations, if it has told them
+ * @param modules its modules, by name
+ * @param stale whether nobody vouches for anything of it any more
+ * @param confirmed when somebody last vouched for it, where it is stale; else since when it has
+ *     been known
+ */
+public record Persona(
+    String robot,
+    Optional<PersonaAttributes> attributes,
+    List<ModuleListing<Module>> modules,
+    boolean stale,
+    Instant confirmed) {
+
+  public Persona {
+    modules = List.copyOf(modules);
+  }
+
+  /** How long nobody has vouched for it; zero where it is not stale. */
+  public Duration age(Instant now) {
+    Duration since = Duration.between(confirmed, now);
+    return stale && !since.isNegative() ? since : Duration.ZERO;
+  }
+}

@@ -1,0 +1,31 @@
+package org.dfra.persona;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a satellite positioning receiver is. Null is what it has not told, or not yet.
+ *
+ * @param model model, as the receiver names it
+ * @param serialNumber its serial number
+ * @param softwarePart part number of its software
+ * @param softwareVersion version of its software
+ * @param channels how many satellites it can follow at once
+ * @param fixModes the solutions it can give, sorted: {@code 2D}, {@code 3D}
+ */
+public record GpsReceiverAttributes(
+    @Nullable String model,
+    @Nullable String serialNumber,
+    @Nullable String softwarePart,
+    @Nullable String softwareVersion,
+    @Nullable Integer channels,
+    List<String> fixModes)
+    implements Attributes {
+
+  public GpsReceiverAttributes {
+    fixModes = Checks.sorted(fixModes);
+    if (channels != null && channels < 1) {
+      throw new IllegalArgumentException("a receiver with " + channels + " channels");
+    }
+  }
+}

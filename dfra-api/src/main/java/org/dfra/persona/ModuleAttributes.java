@@ -1,0 +1,49 @@
+package org.dfra.persona;
+
+import java.time.Instant;
+import java.util.Objects;
+import org.dfra.module.Readiness;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What every module says of itself. Its server fills it.
+ *
+ * @param robot name of the robot
+ * @param name name of the module, unique on its robot
+ * @param driver full name of the driver's class
+ * @param host address or name of the machine it runs on, as its proxies carry it
+ * @param author who wrote the driver
+ * @param version version of the driver
+ * @param state how far the module has come
+ * @param created when the module was first made known to its robot, UTC
+ * @param activated when it was last started, UTC; null if it never was
+ * @param clients how many clients hold a lease on it
+ */
+public record ModuleAttributes(
+    String robot,
+    String name,
+    String driver,
+    String host,
+    String author,
+    String version,
+    Readiness state,
+    Instant created,
+    @Nullable Instant activated,
+    int clients)
+    implements Attributes {
+
+  public ModuleAttributes {
+    Checks.text("robot", robot);
+    Checks.text("name", name);
+    created = Objects.requireNonNull(Checks.millis(created));
+    activated = Checks.millis(activated);
+    if (clients < 0) {
+      throw new IllegalArgumentException(clients + " clients are fewer than none");
+    }
+  }
+
+  /** {@code robot/name}. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

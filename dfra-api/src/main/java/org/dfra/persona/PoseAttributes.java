@@ -1,0 +1,37 @@
+package org.dfra.persona;
+
+/**
+ * Where a module is mounted: its frame in its parent's. The rotation is applied intrinsically, yaw,
+ * then pitch, then roll, after the translation.
+ *
+ * @param frame name of the module's frame, e.g. {@code atrv1/gps_front}
+ * @param parent name of the frame it is mounted on, e.g. {@code atrv1/base_link}
+ * @param x translation along the parent's x in metres, forward is +
+ * @param y translation along the parent's y in metres, left is +
+ * @param z translation along the parent's z in metres, up is +
+ * @param roll rotation about x in radians, right-handed
+ * @param pitch rotation about y in radians, right-handed: nose down is +
+ * @param yaw rotation about z in radians, right-handed: to the left is +
+ */
+public record PoseAttributes(
+    String frame,
+    String parent,
+    double x,
+    double y,
+    double z,
+    double roll,
+    double pitch,
+    double yaw)
+    implements Attributes {
+
+  public PoseAttributes {
+    Checks.text("frame", frame);
+    Checks.text("parent frame", parent);
+    Checks.finite("x", x);
+    Checks.finite("y", y);
+    Checks.finite("z", z);
+    Checks.finite("roll", roll);
+    Checks.finite("pitch", pitch);
+    Checks.finite("yaw", yaw);
+  }
+}

@@ -1,0 +1,258 @@
+package org.dfra.core.directory;
+
+import java.lang.reflect.Proxy;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.UUID;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Persona;
+import org.dfra.directory.Watch;
+import org.dfra.module.Module;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PersonaAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A directory that answers from a table that its subclass fills.
+ *
+ * <p>Threads: daemons {@code dfra-directory-n}, one for each listener that is just being told
+ * something; they end by themselves after {@link #close}.
+ */
+public abstract class CachedModuleDirectory implements ModuleDirectory {
+
+  private static final AtomicInteger THREADS = new AtomicInteger();
+
+  /** The best first; see {@link ModuleDirectory#find}. */
+  private static final Comparator<ModuleListing<?>> BEST =
+      Comparator.<ModuleListing<?>, Boolean>comparing(CachedModuleDirectory::isHopeless)
+          .thenComparing(ModuleListing::locality)
+          .thenComparing(ModuleListing::stale)
+          .thenComparing(ModuleListing::robot)
+          .thenComparing(ModuleListing::name)
+          .thenComparing(ModuleListing::id);
+
+  private final ModuleTable table;
+  private final ExecutorService threads =
+      Executors.newCachedThreadPool(
+          task -> {
+            Thread thread = new Thread(task, "dfra-directory-" + THREADS.incrementAndGet());
+            thread.setDaemon(true);
+            return thread;
+          });
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private final List<ListenerFeed<?>> feeds = new ArrayList<>(); // guarded by lock
+  private boolean closed; // guarded by lock
+
+  /**
+   * @param clock the time that staleness is reckoned by
+   */
+  protected CachedModuleDirectory(InstantSource clock) {
+    this.table = new ModuleTable(clock);
+    table.observe(id -> signal());
+  }
+
+  /** What this directory knows, to be filled by the subclass. */
+  protected final ModuleTable table() {
+    return table;
+  }
+
+  static boolean isHopeless(ModuleListing<?> listing) {
+    return listing
+        .attributes(ModuleAttributes.class)
+        .filter(module -> module.state().isHopeless())
+        .isPresent();
+  }
+
+  @Override
+  public final <M extends Module> List<ModuleListing<M>> find(ModuleQuery<M> query) {
+    List<ModuleListing<M>> found = new ArrayList<>();
+    for (ModuleListing<Module> each : table.all()) {
+      if (query.matches(each, table::place)) {
+        found.add(as(each));
+      }
+    }
+    found.sort(BEST);
+    return found;
+  }
+
+  private <M extends Module> Optional<ModuleListing<M>> best(ModuleQuery<M> query) {
+    @Nullable ModuleListing<Module> best = null;
+    for (ModuleListing<Module> each : table.all()) {
+      if (query.matches(each, table::place) && (best == null || BEST.compare(each, best) < 0)) {
+        best = each;
+      }
+    }
+    return best == null ? Optional.empty() : Optional.of(as(best));
+  }
+
+  @SuppressWarnings("unchecked") // the query has looked at its type, and a listing never changes
+  private static <M extends Module> ModuleListing<M> as(ModuleListing<Module> listing) {
+    return (ModuleListing<M>) listing;
+  }
+
+  @Override
+  public final <M extends Module> Optional<ModuleListing<M>> findFirst(
+      ModuleQuery<M> query, Duration patience) throws InterruptedException {
+    long nanos = TimeUnit.NANOSECONDS.convert(patience);
+    lock.lock();
+    try {
+      while (true) {
+        Optional<ModuleListing<M>> best = best(query);
+        if (best.isPresent() || nanos <= 0 || closed) {
+          return best;
+        }
+        nanos = changed.awaitNanos(nanos);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void signal() {
+    lock.lock();
+    try {
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public final <M extends Module> Watch listen(
+      ModuleQuery<M> query, DirectoryListener<M> listener) {
+    ListenerFeed<M> feed =
+        new ListenerFeed<>(id -> look(id, query), listener, threads, this::dismiss);
+    lock.lock();
+    try {
+      if (closed) {
+        throw new IllegalStateException("this directory is closed; listen to another one");
+      }
+      feeds.add(feed);
+    } finally {
+      lock.unlock();
+    }
+    table.observe(feed);
+    table.all().forEach(each -> feed.accept(each.id()));
+    return feed;
+  }
+
+  private <M extends Module> @Nullable ModuleListing<M> look(UUID id, ModuleQuery<M> query) {
+    @Nullable ModuleListing<Module> now = table.get(id);
+    return now != null && query.matches(now, table::place) ? as(now) : null;
+  }
+
+  private void dismiss(ListenerFeed<?> feed) {
+    table.forget(feed);
+    lock.lock();
+    try {
+      feeds.remove(feed);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public final List<Persona> personas() {
+    Map<String, PersonaUnderWay> robots = new TreeMap<>();
+    for (ModuleTable.RobotSign sign : table.robots()) {
+      PersonaUnderWay robot =
+          robots.computeIfAbsent(sign.attributes().robot(), name -> new PersonaUnderWay());
+      robot.attributes = sign.attributes();
+      robot.see(sign.stale(), sign.confirmed());
+    }
+    for (ModuleListing<Module> module : table.all()) {
+      if (!module.robot().isEmpty()) {
+        PersonaUnderWay robot =
+            robots.computeIfAbsent(module.robot(), name -> new PersonaUnderWay());
+        robot.modules.add(module);
+        robot.see(module.stale(), module.confirmed());
+      }
+    }
+    return robots.entrySet().stream().map(each -> each.getValue().of(each.getKey())).toList();
+  }
+
+  /** A persona that is being put together. */
+  private static final class PersonaUnderWay {
+    @Nullable PersonaAttributes attributes;
+    final List<ModuleListing<Module>> modules = new ArrayList<>();
+    private boolean stale = true;
+    private Instant confirmed = Instant.MIN;
+
+    void see(boolean isStale, Instant when) {
+      if (stale && !isStale) {
+        confirmed = when;
+      } else if (stale == isStale && when.isAfter(confirmed)) {
+        confirmed = when;
+      }
+      stale &= isStale;
+    }
+
+    Persona of(String robot) {
+      modules.sort(Comparator.comparing(ModuleListing<Module>::name));
+      return new Persona(robot, Optional.ofNullable(attributes), modules, stale, confirmed);
+    }
+  }
+
+  @Override
+  public final <M extends Module> M proxyFor(ModuleQuery<M> query) {
+    Class<M> kind = query.kind();
+    return kind.cast(
+        Proxy.newProxyInstance(
+            kind.getClassLoader(),
+            new Class<?>[] {kind},
+            new FailoverHandler<>(query, remembered(query), System::nanoTime)));
+  }
+
+  /** What a query finds; asked again only when the table has changed. */
+  private <M extends Module> Supplier<List<ModuleListing<M>>> remembered(ModuleQuery<M> query) {
+    return new Supplier<>() {
+      private long version = -1; // guarded by this
+      private List<ModuleListing<M>> found = List.of(); // guarded by this
+
+      @Override
+      public synchronized List<ModuleListing<M>> get() {
+        long now = table.version();
+        if (version != now) {
+          found = find(query);
+          version = now;
+        }
+        return found;
+      }
+    };
+  }
+
+  /** {@inheritDoc} A subclass that has more to end does it first. */
+  @Override
+  public void close() {
+    List<ListenerFeed<?>> ending;
+    lock.lock();
+    try {
+      closed = true;
+      ending = List.copyOf(feeds);
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+    ending.forEach(ListenerFeed::close);
+    threads.shutdown();
+    table.clear();
+  }
+}

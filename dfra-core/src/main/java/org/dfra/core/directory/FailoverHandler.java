@@ -1,0 +1,138 @@
+package org.dfra.core.directory;
+
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
+import java.rmi.NoSuchObjectException;
+import java.rmi.RemoteException;
+import java.rmi.UnknownHostException;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.dfra.directory.CallFailedException;
+import org.dfra.directory.KnownOutcome;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.NoModuleFoundException;
+import org.dfra.module.Idempotent;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Stands for all modules that match a query. A module that failed is asked last for a while, since
+ * a lookup service lists a dead one until its lease has run out.
+ */
+final class FailoverHandler<M extends Module> implements InvocationHandler {
+
+  private static final long AVOID_NANOS = Duration.ofSeconds(10).toNanos();
+
+  private final ModuleQuery<M> query;
+  private final Supplier<List<ModuleListing<M>>> candidates;
+  private final LongSupplier nanos;
+  private final Map<UUID, Long> failed = new ConcurrentHashMap<>();
+  private volatile @Nullable UUID last;
+
+  /**
+   * @param candidates what matches now, the best first
+   * @param nanos a clock of which only differences are taken, in nanoseconds
+   */
+  FailoverHandler(
+      ModuleQuery<M> query, Supplier<List<ModuleListing<M>>> candidates, LongSupplier nanos) {
+    this.query = query;
+    this.candidates = candidates;
+    this.nanos = nanos;
+  }
+
+  @Override
+  public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] args)
+      throws Throwable {
+    if (method.getDeclaringClass() == Object.class) {
+      return switch (method.getName()) {
+        case "equals" -> args != null && proxy == args[0];
+        case "hashCode" -> System.identityHashCode(proxy);
+        default -> "any " + query;
+      };
+    }
+    Optional<ModuleListing<M>> first = choose(null);
+    if (first.isEmpty()) {
+      throw nothing(method);
+    }
+    try {
+      return call(first.get(), method, args);
+    } catch (RemoteException e) {
+      if (!method.isAnnotationPresent(Idempotent.class)) {
+        throw new CallFailedException(
+            method.getName() + " on " + first.get().path(), mayHaveRun(e), e);
+      }
+      Optional<ModuleListing<M>> other = choose(first.get().id());
+      if (other.isEmpty() || Thread.currentThread().isInterrupted()) {
+        throw e;
+      }
+      try {
+        return call(other.get(), method, args);
+      } catch (RemoteException again) {
+        again.addSuppressed(e);
+        throw again;
+      }
+    }
+  }
+
+  private @Nullable Object call(ModuleListing<M> target, Method method, Object @Nullable [] args)
+      throws Throwable {
+    try {
+      method.setAccessible(true); // the interface may be private to its package
+      @Nullable Object answer = method.invoke(target.module(), args);
+      last = target.id();
+      return answer;
+    } catch (InvocationTargetException e) {
+      Throwable cause = Objects.requireNonNull(e.getCause());
+      if (cause instanceof RemoteException) {
+        failed.put(target.id(), nanos.getAsLong());
+      }
+      throw cause;
+    }
+  }
+
+  private Optional<ModuleListing<M>> choose(@Nullable UUID not) {
+    List<ModuleListing<M>> all = candidates.get();
+    long now = nanos.getAsLong();
+    failed.values().removeIf(when -> now - when > AVOID_NANOS);
+    @Nullable UUID favourite = last;
+    return all.stream()
+        .filter(each -> !each.id().equals(not))
+        .min( // of equals the first, which is the best
+            Comparator.comparing((ModuleListing<M> each) -> failed.containsKey(each.id()))
+                .thenComparing(each -> CachedModuleDirectory.isHopeless(each))
+                .thenComparing(each -> !each.id().equals(favourite)));
+  }
+
+  private Exception nothing(Method method) {
+    NoModuleFoundException nothing = new NoModuleFoundException(query);
+    boolean declared =
+        Arrays.stream(method.getExceptionTypes())
+            .anyMatch(type -> type.isAssignableFrom(NoModuleFoundException.class));
+    return declared ? nothing : new IllegalStateException(nothing.getMessage(), nothing);
+  }
+
+  private static boolean mayHaveRun(RemoteException failure) {
+    if (failure instanceof KnownOutcome known) {
+      return known.mayHaveRun();
+    }
+    return !(failure instanceof ConnectException
+        || failure instanceof ConnectIOException
+        || failure instanceof UnknownHostException
+        || failure instanceof NoSuchObjectException
+        // Not by its type: this layer knows no activation.
+        || failure.getClass().getSimpleName().equals("ActivateFailedException"));
+  }
+}

@@ -1,0 +1,92 @@
+package org.dfra.core.directory;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.directory.Locality;
+import org.dfra.directory.Watch;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PersonaAttributes;
+
+/** The directory of one robot in one virtual machine, without any network. */
+public final class InMemoryModuleDirectory extends CachedModuleDirectory {
+
+  private final InstantSource clock;
+
+  /** By the system's clock. */
+  public InMemoryModuleDirectory() {
+    this(InstantSource.system());
+  }
+
+  /**
+   * @param clock the time; simulated time where the robot is simulated
+   */
+  public InMemoryModuleDirectory(InstantSource clock) {
+    super(clock);
+    this.clock = clock;
+  }
+
+  /**
+   * Lists a module of this virtual machine, with attributes that follow it.
+   *
+   * @return takes it out again
+   * @throws IllegalArgumentException if another module of that robot has its name
+   */
+  public Watch add(ModuleImpl module) {
+    SelfDescription self =
+        new SelfDescription(module, "localhost", clock.instant(), clock.instant(), () -> 0);
+    UUID id = UUID.randomUUID();
+    List<Attributes> now = self.now();
+    put(id, module, now, Locality.SAME_VM);
+    AttributeFollower follower =
+        new AttributeFollower(now, self::now, news -> put(id, module, news, Locality.SAME_VM));
+    return () -> {
+      follower.close();
+      remove(id);
+    };
+  }
+
+  /**
+   * Lists a module, or what is known of it now.
+   *
+   * @throws IllegalArgumentException if another module of that robot has its name
+   */
+  public void put(UUID id, Module module, List<Attributes> attributes, Locality locality) {
+    for (Attributes each : attributes) {
+      if (each instanceof ModuleAttributes who) {
+        table()
+            .all()
+            .forEach(
+                other -> {
+                  if (!other.id().equals(id)
+                      && other.name().equals(who.name())
+                      && other.robot().equals(who.robot())) {
+                    throw new IllegalArgumentException(
+                        "there is a module "
+                            + who.path()
+                            + " already; rename or remove one of the two");
+                  }
+                });
+      }
+    }
+    table().put(id, module, attributes, locality);
+  }
+
+  /** Lists a robot as such. */
+  public void put(UUID id, PersonaAttributes robot) {
+    table().put(id, robot);
+  }
+
+  /** Nobody vouches for it any more, since now. */
+  public void loseSightOf(UUID id) {
+    table().stale(id, clock.instant());
+  }
+
+  /** Takes it out. */
+  public void remove(UUID id) {
+    table().remove(id);
+  }
+}

@@ -1,0 +1,110 @@
+package org.dfra.core.directory;
+
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.Watch;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Tells one listener what changed. It keeps which modules changed, not how, and compares when the
+ * listener is ready: so what waits for a slow listener is never more than one identity per module.
+ */
+final class ListenerFeed<M extends Module> implements Watch, Consumer<UUID> {
+
+  private static final Logger LOG = LoggerFactory.getLogger(ListenerFeed.class);
+
+  private final Function<UUID, @Nullable ModuleListing<M>> look;
+  private final DirectoryListener<M> listener;
+  private final Executor threads;
+  private final Runnable onClose;
+  private final Map<UUID, ModuleListing<M>> told = new HashMap<>(); // by the draining thread
+  private final Set<UUID> waiting = new LinkedHashSet<>(); // guarded by this
+  private boolean draining; // guarded by this
+  private boolean closed; // guarded by this
+
+  /**
+   * @param look the listing of a module that matches now, or null
+   */
+  ListenerFeed(
+      Function<UUID, @Nullable ModuleListing<M>> look,
+      DirectoryListener<M> listener,
+      Executor threads,
+      Consumer<ListenerFeed<M>> onClose) {
+    this.look = look;
+    this.listener = listener;
+    this.threads = threads;
+    this.onClose = () -> onClose.accept(this);
+  }
+
+  @Override
+  public void accept(UUID id) {
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      waiting.add(id);
+      if (draining) {
+        return;
+      }
+      draining = true;
+    }
+    threads.execute(this::drain);
+  }
+
+  private void drain() {
+    while (true) {
+      List<UUID> batch;
+      synchronized (this) {
+        if (closed || waiting.isEmpty()) {
+          draining = false;
+          return;
+        }
+        batch = List.copyOf(waiting);
+        waiting.clear();
+      }
+      batch.forEach(this::compare);
+    }
+  }
+
+  private void compare(UUID id) {
+    @Nullable ModuleListing<M> now = look.apply(id);
+    @Nullable ModuleListing<M> before = now == null ? told.remove(id) : told.put(id, now);
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+    }
+    try {
+      if (before == null && now != null) {
+        listener.matched(now);
+      } else if (before != null && now == null) {
+        listener.unmatched(before);
+      } else if (before != null && now != null && before != now) {
+        listener.changed(before, now);
+      }
+    } catch (RuntimeException e) {
+      LOG.warn("A directory listener failed: {}", e.toString(), e);
+    }
+  }
+
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+      waiting.clear();
+    }
+    onClose.run();
+  }
+}

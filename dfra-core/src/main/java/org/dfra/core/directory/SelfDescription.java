@@ -1,0 +1,46 @@
+package org.dfra.core.directory;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntSupplier;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.module.Identification;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
+import org.dfra.persona.ModuleAttributes;
+
+/**
+ * All that a module says of itself: what every module does, and what its driver adds.
+ *
+ * @param driver the module
+ * @param host address or name of the machine it runs on
+ * @param created when it was first made known to its robot
+ * @param activated when it was last started
+ * @param clients how many clients hold a lease on it
+ */
+public record SelfDescription(
+    ModuleImpl driver, String host, Instant created, Instant activated, IntSupplier clients) {
+
+  /** The attributes as they are now. */
+  public List<Attributes> now() {
+    Identification who = driver.identification();
+    List<Attributes> attributes = new ArrayList<>();
+    attributes.add(
+        new ModuleAttributes(
+            who.robot(),
+            who.name(),
+            driver.getClass().getName(),
+            host,
+            who.author(),
+            who.version(),
+            driver.readiness(),
+            created,
+            activated,
+            clients.getAsInt()));
+    if (driver instanceof Described described) {
+      attributes.addAll(described.attributes());
+    }
+    return attributes;
+  }
+}

@@ -1,0 +1,165 @@
+package org.dfra.river.entry;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import net.jini.core.entry.Entry;
+import org.dfra.persona.Attributes;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Turns attribute records into entries and entries into attribute records. */
+public final class Entries {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Entries.class);
+
+  /** Every entry class that mirrors a record, a subclass before its superclass. */
+  private static final List<Class<? extends Entry>> KINDS =
+      List.of(
+          SensorEntry.class,
+          ChainableEntry.class,
+          ModuleEntry.class,
+          PoseEntry.class,
+          LocationEntry.class,
+          GPSEntry.class,
+          PersonaEntry.class);
+
+  private Entries() {}
+
+  /**
+   * The entries that tell what the records tell. Records whose entry classes are super- and
+   * subclass of each other share one entry.
+   *
+   * @throws IllegalArgumentException if there are two records of one type, or one holds what no
+   *     entry can
+   */
+  public static Entry[] of(List<? extends Attributes> attributes) {
+    Map<Class<?>, Attributes> left = new LinkedHashMap<>();
+    for (Attributes each : attributes) {
+      if (left.put(each.getClass(), each) != null) {
+        throw new IllegalArgumentException(
+            "there are two records of type " + each.getClass().getSimpleName() + "; give one");
+      }
+    }
+    List<Entry> entries = new ArrayList<>();
+    for (Class<? extends Entry> kind : KINDS) {
+      if (left.containsKey(mirrored(kind))) {
+        entries.add(entry(kind, left));
+      }
+    }
+    left.values().forEach(record -> entries.add(RecordText.write(record)));
+    return entries.toArray(Entry[]::new);
+  }
+
+  private static Entry entry(Class<? extends Entry> kind, Map<Class<?>, Attributes> left) {
+    try {
+      Entry entry = kind.getConstructor().newInstance();
+      for (@Nullable Class<?> type = kind; type != null; type = type.getSuperclass()) {
+        @Nullable Attributes record = left.remove(mirrored(type));
+        if (record != null) {
+          for (RecordComponent component : record.getClass().getRecordComponents()) {
+            Field field = type.getDeclaredField(component.getName());
+            field.set(entry, toField(component.getAccessor().invoke(record)));
+          }
+        }
+      }
+      return entry;
+    } catch (ReflectiveOperationException e) {
+      throw new AssertionError(kind + " does not mirror its record", e);
+    }
+  }
+
+  /**
+   * The records that the entries tell, as far as this client can understand them: entries of other
+   * kinds, such as River's own, are left out, and so are those that lack what a record must have.
+   */
+  public static List<Attributes> records(@Nullable Entry @Nullable [] entries) {
+    List<Attributes> records = new ArrayList<>();
+    if (entries == null) {
+      return records;
+    }
+    for (@Nullable Entry entry : entries) {
+      if (entry instanceof RecordEntry text) {
+        RecordText.read(text).ifPresent(records::add);
+      } else if (entry != null) {
+        for (@Nullable Class<?> type = entry.getClass();
+            type != null;
+            type = type.getSuperclass()) {
+          @Nullable Class<? extends Attributes> mirrored = mirrored(type);
+          if (mirrored != null) {
+            @Nullable Attributes record = record(mirrored, type, entry);
+            if (record != null) {
+              records.add(record);
+            }
+          }
+        }
+      }
+    }
+    return List.copyOf(records);
+  }
+
+  private static @Nullable Attributes record(
+      Class<? extends Attributes> mirrored, Class<?> type, Entry entry) {
+    try {
+      RecordComponent[] components = mirrored.getRecordComponents();
+      @Nullable Object[] values = new @Nullable Object[components.length];
+      boolean any = false;
+      for (int i = 0; i < values.length; i++) {
+        @Nullable Object value = type.getDeclaredField(components[i].getName()).get(entry);
+        any |= value != null;
+        values[i] = toComponent(value, components[i].getType());
+      }
+      return any ? make(mirrored, values) : null;
+    } catch (NoSuchFieldException | IllegalAccessException e) {
+      throw new AssertionError(type + " does not mirror its record", e);
+    }
+  }
+
+  /** The record, or null where its constructor refuses the values. */
+  static <A extends Attributes> @Nullable A make(Class<A> type, @Nullable Object[] values) {
+    Class<?>[] types = new Class<?>[values.length];
+    RecordComponent[] components = type.getRecordComponents();
+    for (int i = 0; i < types.length; i++) {
+      types[i] = components[i].getType();
+      if (types[i].isPrimitive() && values[i] == null) {
+        LOG.debug("{} without {} is left out.", type.getSimpleName(), components[i].getName());
+        return null;
+      }
+    }
+    try {
+      return type.getDeclaredConstructor(types).newInstance(values);
+    } catch (InvocationTargetException | IllegalArgumentException e) {
+      LOG.debug("A {} that is none is left out.", type.getSimpleName(), e);
+      return null;
+    } catch (ReflectiveOperationException e) {
+      LOG.debug("A {} cannot be made here.", type.getSimpleName(), e);
+      return null;
+    }
+  }
+
+  private static @Nullable Object toField(@Nullable Object value) {
+    if (value instanceof Instant instant) {
+      return instant.toEpochMilli();
+    }
+    // Always this class: a registrar compares bytes, and List.of is written in another way.
+    return value instanceof List<?> list ? new ArrayList<>(list) : value;
+  }
+
+  private static @Nullable Object toComponent(@Nullable Object value, Class<?> type) {
+    if (value instanceof Long millis && type == Instant.class) {
+      return Instant.ofEpochMilli(millis);
+    }
+    return value;
+  }
+
+  private static @Nullable Class<? extends Attributes> mirrored(Class<?> type) {
+    @Nullable Mirrors mirrors = type.getAnnotation(Mirrors.class);
+    return mirrors == null ? null : mirrors.value();
+  }
+}

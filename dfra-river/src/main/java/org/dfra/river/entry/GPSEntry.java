@@ -1,0 +1,38 @@
+package org.dfra.river.entry;
+
+import java.util.List;
+import net.jini.entry.AbstractEntry;
+import net.jini.lookup.entry.ServiceControlled;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a satellite positioning receiver is, see {@link GpsReceiverAttributes}. Null is unknown, or
+ * any value in a template.
+ */
+@Mirrors(GpsReceiverAttributes.class)
+public class GPSEntry extends AbstractEntry implements ServiceControlled {
+
+  private static final long serialVersionUID = 1L;
+
+  /** Model, as the receiver names it. */
+  public @Nullable String model;
+
+  /** Its serial number. */
+  public @Nullable String serialNumber;
+
+  /** Part number of its software. */
+  public @Nullable String softwarePart;
+
+  /** Version of its software. */
+  public @Nullable String softwareVersion;
+
+  /** How many satellites it can follow at once. */
+  public @Nullable Integer channels;
+
+  /** The solutions it can give, sorted. */
+  public @Nullable List<String> fixModes;
+
+  /** With every field null. */
+  public GPSEntry() {}
+}

@@ -1,0 +1,54 @@
+package org.dfra.river.lookup;
+
+import java.time.Duration;
+import java.util.List;
+
+/**
+ * How a directory uses lookup services.
+ *
+ * @param host address or name of this machine at which lookup services can call back
+ * @param groups discovery groups, found by multicast; none if empty
+ * @param locators lookup services found by unicast, {@code jini://host:port} each
+ * @param locatorRetry how long to wait before a locator where nobody answered is tried again
+ * @param heartbeat distance of the signs of life that are asked of each lookup service; each costs
+ *     one call
+ * @param silence how long a lookup service may take to answer before what it holds is stale
+ * @param reconcile distance at which everything is asked for, in case an event was lost
+ * @param eventLease lease on the events; a lookup service forgets a dead client after it
+ */
+public record DirectorySettings(
+    String host,
+    List<String> groups,
+    List<String> locators,
+    Duration locatorRetry,
+    Duration heartbeat,
+    Duration silence,
+    Duration reconcile,
+    Duration eventLease) {
+
+  public DirectorySettings {
+    groups = List.copyOf(groups);
+    locators = List.copyOf(locators);
+    if (eventLease.compareTo(heartbeat.multipliedBy(2)) < 0) {
+      throw new IllegalArgumentException(
+          "eventLease "
+              + eventLease.toMillis()
+              + " ms < 2 × heartbeat "
+              + heartbeat.toMillis()
+              + " ms; beat faster or ask for a longer lease");
+    }
+  }
+
+  /** Robot timings: heartbeats of 1 s, silence after 3 s, everything every 30 s. */
+  public static DirectorySettings of(String host, List<String> groups, List<String> locators) {
+    return new DirectorySettings(
+        host,
+        groups,
+        locators,
+        Discovery.LOCATOR_RETRY,
+        Duration.ofSeconds(1),
+        Duration.ofSeconds(3),
+        Duration.ofSeconds(30),
+        Duration.ofSeconds(10));
+  }
+}

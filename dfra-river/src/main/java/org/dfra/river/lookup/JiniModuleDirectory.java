@@ -1,0 +1,194 @@
+package org.dfra.river.lookup;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import net.jini.config.ConfigurationException;
+import net.jini.config.EmptyConfiguration;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.discovery.DiscoveryEvent;
+import net.jini.discovery.DiscoveryListener;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.core.directory.CachedModuleDirectory;
+import org.dfra.directory.Locality;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.proxy.LocalModules;
+
+/**
+ * The directory of what all lookup services hold that can be discovered.
+ *
+ * <p>It answers from a cache, which events and a periodic look at everything keep up to date. When
+ * lookup services vanish it keeps what they held, marked stale; when a module's lease runs out at
+ * one that is within reach, the module is gone. A lookup service that comes back is found again
+ * within {@link DirectorySettings#locatorRetry}, or at its next announcement.
+ *
+ * <p>Threads: one for each locator and each lookup service, and {@code dfra-directory-watchdog},
+ * which notices those that do not answer; {@link #close} ends them all.
+ */
+public final class JiniModuleDirectory extends CachedModuleDirectory {
+
+  private final DirectorySettings settings;
+  private final InstantSource clock;
+  private final Discovery discovery;
+  private final Sightings sightings;
+  private final Map<ServiceID, RegistrarWatch> watches = new HashMap<>(); // guarded by watches
+  private final Map<String, Boolean> hosts = new ConcurrentHashMap<>();
+  private final ScheduledExecutorService watchdog;
+  private boolean closed; // guarded by watches
+
+  /**
+   * Begins to discover lookup services, with robot timings.
+   *
+   * @param host address or name of this machine at which lookup services can call back
+   * @param groups discovery groups, found by multicast; none if empty
+   * @param locators {@code jini://host:port} each, found by unicast
+   * @throws IOException if multicast cannot be used or a locator is malformed
+   */
+  public JiniModuleDirectory(String host, List<String> groups, List<String> locators)
+      throws IOException {
+    this(DirectorySettings.of(host, groups, locators), InstantSource.system());
+  }
+
+  /**
+   * Begins to discover lookup services.
+   *
+   * @param clock the time that staleness is reckoned by
+   * @throws IOException if multicast cannot be used or a locator is malformed
+   */
+  public JiniModuleDirectory(DirectorySettings settings, InstantSource clock) throws IOException {
+    super(clock);
+    this.settings = settings;
+    this.clock = clock;
+    this.sightings = new Sightings(table(), this::locality);
+    try {
+      this.discovery =
+          Discovery.begin(
+              settings.groups(),
+              settings.locators(),
+              settings.locatorRetry(),
+              RobotPace.configuration(EmptyConfiguration.INSTANCE));
+    } catch (ConfigurationException e) {
+      throw new AssertionError("an empty configuration has no faults", e);
+    }
+    this.watchdog =
+        Executors.newSingleThreadScheduledExecutor(
+            task -> {
+              Thread thread = new Thread(task, "dfra-directory-watchdog");
+              thread.setDaemon(true);
+              return thread;
+            });
+    long period = Math.max(1, settings.silence().toMillis() / 4);
+    watchdog.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
+    discovery.addDiscoveryListener(new Discovered());
+  }
+
+  /** How many lookup services are within reach now. */
+  public int registrars() {
+    synchronized (watches) {
+      return watches.size();
+    }
+  }
+
+  private final class Discovered implements DiscoveryListener {
+    @Override
+    public void discovered(DiscoveryEvent event) {
+      for (ServiceRegistrar registrar : event.getRegistrars()) {
+        watch(registrar);
+      }
+    }
+
+    @Override
+    public void discarded(DiscoveryEvent event) {
+      // Its watch knows better whether it answers.
+    }
+  }
+
+  private void watch(ServiceRegistrar registrar) {
+    synchronized (watches) {
+      if (!closed && !watches.containsKey(registrar.getServiceID())) {
+        RegistrarWatch watch =
+            new RegistrarWatch(
+                registrar,
+                sightings,
+                settings,
+                clock,
+                new BasicJeriExporter(
+                    Endpoints.tcp(settings.host(), 0), new DeadlineILFactory(), false, false),
+                this::lost);
+        watches.put(registrar.getServiceID(), watch);
+        watch.start();
+      }
+    }
+  }
+
+  private void lost(RegistrarWatch watch) {
+    synchronized (watches) {
+      watches.remove(watch.registrar().getServiceID(), watch);
+    }
+    discovery.discard(watch.registrar()); // and look for it again
+  }
+
+  private void check() {
+    List<RegistrarWatch> all;
+    synchronized (watches) {
+      all = List.copyOf(watches.values());
+    }
+    long now = System.nanoTime();
+    all.forEach(watch -> watch.check(now));
+  }
+
+  private Locality locality(UUID id, List<Attributes> attributes) {
+    if (LocalModules.holds(id)) {
+      return Locality.SAME_VM;
+    }
+    for (Attributes each : attributes) {
+      if (each instanceof ModuleAttributes module) {
+        return hosts.computeIfAbsent(module.host(), this::isHere)
+            ? Locality.SAME_HOST
+            : Locality.REMOTE;
+      }
+    }
+    return Locality.REMOTE;
+  }
+
+  private boolean isHere(String host) {
+    if (host.equals(settings.host())) {
+      return true;
+    }
+    try {
+      InetAddress address = InetAddress.getByName(host);
+      return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
+    } catch (UnknownHostException | SocketException e) {
+      return false;
+    }
+  }
+
+  @Override
+  public void close() {
+    List<RegistrarWatch> ending;
+    synchronized (watches) {
+      closed = true;
+      ending = List.copyOf(watches.values());
+      watches.clear();
+    }
+    watchdog.shutdownNow();
+    discovery.terminate();
+    ending.forEach(RegistrarWatch::close);
+    super.close();
+  }
+}

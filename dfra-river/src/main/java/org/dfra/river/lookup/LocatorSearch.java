@@ -1,0 +1,158 @@
+package org.dfra.river.lookup;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.discovery.ConstrainableLookupLocator;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Looks for the lookup service at one locator, at a steady rate, until it is found, and again when
+ * it is discarded. River's own waits longer after each failure, up to minutes.
+ *
+ * <p>Threads: one daemon, {@code dfra-locator-host:port}, from construction to {@link #close}.
+ */
+final class LocatorSearch implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(LocatorSearch.class);
+
+  private final LookupLocator locator;
+  private final Duration retry;
+  private final Consumer<ServiceRegistrar> finder;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private final Thread thread;
+  private @Nullable ServiceID found; // guarded by lock
+  private boolean closed; // guarded by lock
+  private long foundAt; // guarded by lock
+  private boolean complained; // by the thread
+
+  /**
+   * @param retry how long to wait before it is tried again
+   * @param finder is told of the lookup service, on the search's thread
+   */
+  LocatorSearch(LookupLocator locator, Duration retry, Consumer<ServiceRegistrar> finder) {
+    this.locator = locator;
+    this.retry = retry;
+    this.finder = finder;
+    this.thread =
+        new Thread(this::run, "dfra-locator-" + locator.getHost() + ":" + locator.getPort());
+    thread.setDaemon(true);
+    thread.setContextClassLoader(Thread.currentThread().getContextClassLoader());
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  LookupLocator locator() {
+    return locator;
+  }
+
+  /** Which lookup service is there, as far as is known. */
+  @Nullable ServiceID found() {
+    lock.lock();
+    try {
+      return found;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Looks again, if it is this one that was found. */
+  void discard(ServiceID lost) {
+    lock.lock();
+    try {
+      if (lost.equals(found)) {
+        found = null;
+        changed.signalAll();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void run() {
+    try {
+      while (awaitNeed()) {
+        @Nullable ServiceRegistrar registrar = look();
+        lock.lock();
+        try {
+          if (registrar != null) {
+            found = registrar.getServiceID();
+            foundAt = System.nanoTime();
+          } else if (!closed) {
+            changed.await(retry.toNanos(), TimeUnit.NANOSECONDS);
+          }
+        } finally {
+          lock.unlock();
+        }
+        if (registrar != null) {
+          finder.accept(registrar);
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // closed
+    }
+  }
+
+  /** Waits until there is something to look for; false when closed. */
+  private boolean awaitNeed() throws InterruptedException {
+    lock.lock();
+    try {
+      boolean again = found != null;
+      while (found != null && !closed) {
+        changed.await();
+      }
+      // One that is found but fails at once must not be asked in an endless rush.
+      long wait = foundAt + retry.toNanos() - System.nanoTime();
+      while (again && wait > 0 && !closed) {
+        wait = changed.awaitNanos(wait);
+      }
+      return !closed;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private @Nullable ServiceRegistrar look() {
+    try {
+      ServiceRegistrar registrar =
+          new ConstrainableLookupLocator(
+                  locator.getHost(), locator.getPort(), RobotPace.ofLocators())
+              .getRegistrar();
+      complained = false;
+      return registrar;
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      if (!complained) {
+        complained = true;
+        LOG.info(
+            "No lookup service answers at {} ({}); it is tried again every {} ms.",
+            locator,
+            e.toString(),
+            retry.toMillis());
+      }
+      return null;
+    }
+  }
+
+  @Override
+  public void close() {
+    lock.lock();
+    try {
+      closed = true;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,206 @@
+package org.dfra.river.server;
+
+import com.sun.jini.lookup.entry.LookupAttributes;
+import java.io.IOException;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import net.jini.activation.ActivationGroup;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.entry.Entry;
+import net.jini.export.Exporter;
+import net.jini.lookup.entry.ServiceControlled;
+import org.dfra.river.remote.ModuleAdmin;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One module server's administration, exported when it is first asked for. */
+final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(ModuleAdministration.class);
+
+  /** Ending a module takes longer than a question: its device is closed, lookup services left. */
+  private static final long DEADLINE_MILLIS = 10_000;
+
+  private static final long LAST_ANSWER_NANOS = TimeUnit.SECONDS.toNanos(2);
+  private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+
+  private final ModulePresence presence;
+  private final @Nullable ActivationID id;
+  private final Exporter serverExporter;
+  private final AutoCloseable server;
+  private final Exporter exporter;
+  private @Nullable Remote stub; // guarded by this
+
+  /**
+   * @param id the server's activation ID; null where no activation system made it
+   * @param serverExporter the exporter of the server
+   * @param server closes the server
+   */
+  ModuleAdministration(
+      ModulePresence presence,
+      String host,
+      @Nullable ActivationID id,
+      Exporter serverExporter,
+      AutoCloseable server) {
+    this.presence = presence;
+    this.id = id;
+    this.serverExporter = serverExporter;
+    this.server = server;
+    this.exporter = Exporters.jeri(host, DEADLINE_MILLIS);
+  }
+
+  /** The remote proxy. */
+  synchronized Remote stub() throws RemoteException {
+    if (stub == null) {
+      stub = exporter.export(this);
+    }
+    return stub;
+  }
+
+  @Override
+  public Entry[] getLookupAttributes() {
+    return presence.join().attributes();
+  }
+
+  @Override
+  public synchronized void addLookupAttributes(Entry[] entries) {
+    List<Entry> all = new ArrayList<>(presence.added());
+    for (Entry each : entries) {
+      refuseItsOwn(each);
+      all.add(each);
+    }
+    presence.add(all);
+  }
+
+  @Override
+  public synchronized void modifyLookupAttributes(Entry[] templates, Entry[] changes) {
+    for (Entry each : templates) {
+      refuseItsOwn(each);
+    }
+    Entry[] added = presence.added().toArray(Entry[]::new);
+    presence.add(List.of(LookupAttributes.modify(added, templates, changes, true)));
+  }
+
+  private static void refuseItsOwn(Entry entry) {
+    if (entry instanceof ServiceControlled) {
+      throw new SecurityException(
+          entry.getClass().getSimpleName()
+              + " is what the module says of itself; add an entry of another kind");
+    }
+  }
+
+  @Override
+  public String[] getLookupGroups() {
+    return presence.join().discovery().getGroups();
+  }
+
+  @Override
+  public void addLookupGroups(String[] groups) throws RemoteException {
+    multicast(() -> presence.join().discovery().addGroups(groups));
+  }
+
+  @Override
+  public void removeLookupGroups(String[] groups) {
+    presence.join().discovery().removeGroups(groups);
+  }
+
+  @Override
+  public void setLookupGroups(String[] groups) throws RemoteException {
+    multicast(() -> presence.join().discovery().setGroups(groups));
+  }
+
+  private interface Multicasting {
+    void run() throws IOException;
+  }
+
+  private static void multicast(Multicasting body) throws RemoteException {
+    try {
+      body.run();
+    } catch (IOException e) {
+      throw new RemoteException("multicast discovery cannot be used here: " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public LookupLocator[] getLookupLocators() {
+    return presence.join().discovery().getLocators();
+  }
+
+  @Override
+  public void addLookupLocators(LookupLocator[] locators) {
+    presence.join().discovery().addLocators(locators);
+  }
+
+  @Override
+  public void removeLookupLocators(LookupLocator[] locators) {
+    presence.join().discovery().removeLocators(locators);
+  }
+
+  @Override
+  public void setLookupLocators(LookupLocator[] locators) {
+    presence.join().discovery().setLocators(locators);
+  }
+
+  @Override
+  public void deactivate() throws RemoteException {
+    end();
+  }
+
+  @Override
+  public void destroy() throws RemoteException {
+    if (id != null) {
+      try {
+        ActivationGroup.getSystem().unregisterObject(id);
+      } catch (UnknownObjectException e) {
+        LOG.debug("{} was unregistered before.", id);
+      } catch (ActivationException e) {
+        throw new RemoteException("the activation system does not let it go", e);
+      }
+    }
+    end();
+  }
+
+  private void end() throws RemoteException {
+    try {
+      server.close();
+    } catch (Exception e) {
+      LOG.warn("A module did not end cleanly: {}", e.toString(), e);
+    }
+    if (id != null) {
+      try {
+        ActivationGroup.inactive(id, serverExporter);
+      } catch (ActivationException e) {
+        LOG.debug("{} was inactive before.", id, e);
+      }
+    }
+  }
+
+  /** Ends the administration too, after the answer to the call that ended the module. */
+  @Override
+  public synchronized void close() {
+    if (stub == null) {
+      return;
+    }
+    stub = null;
+    Thread last =
+        new Thread(
+            () -> {
+              long began = System.nanoTime();
+              while (!exporter.unexport(false) && System.nanoTime() - began < LAST_ANSWER_NANOS) {
+                LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
+              }
+              exporter.unexport(true);
+            },
+            "dfra-administration-end");
+    last.setDaemon(true);
+    last.start();
+  }
+}

@@ -1,0 +1,2 @@
+/** Tests of the entries: what goes out as a record comes back as the same record. */
+package org.dfra.river.entry;

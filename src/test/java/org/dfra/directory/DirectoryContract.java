@@ -1,0 +1,415 @@
+package org.dfra.directory;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+import static org.dfra.directory.Condition.atLeast;
+import static org.dfra.directory.Condition.contains;
+import static org.dfra.directory.Condition.equalTo;
+
+import java.rmi.ConnectException;
+import java.rmi.UnmarshalException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.LocationSensor;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ChainAttributes;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.dfra.persona.LocationAttributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PersonaAttributes;
+import org.dfra.persona.SensorAttributes;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What every directory does. */
+abstract class DirectoryContract {
+
+  static final Duration PATIENCE = Duration.ofSeconds(10);
+
+  /** A directory together with the means to put modules before it. */
+  interface Stage extends AutoCloseable {
+    ModuleDirectory directory();
+
+    /** Makes a module known, or known anew. */
+    void announce(ListedGps module, List<Attributes> attributes, Locality locality)
+        throws Exception;
+
+    /** Makes a robot as such known. */
+    void announce(PersonaAttributes robot) throws Exception;
+
+    /** The module is gone for certain. */
+    void withdraw(UUID id) throws Exception;
+
+    /** Whoever vouched for all that is known is out of reach. */
+    void loseSight() throws Exception;
+  }
+
+  Stage stage;
+  ModuleDirectory directory;
+
+  abstract Stage stage() throws Exception;
+
+  @BeforeEach
+  void begin() throws Exception {
+    stage = stage();
+    directory = stage.directory();
+  }
+
+  @AfterEach
+  void end() throws Exception {
+    directory.close();
+    stage.close();
+  }
+
+  static ModuleAttributes module(String robot, String name, String host, Readiness state) {
+    return new ModuleAttributes(
+        robot, name, "org.example.Driver", host, "DFRA", "1", state, Instant.EPOCH, null, 0);
+  }
+
+  static List<Attributes> attributes(String robot, String name, double maxRate) {
+    return List.of(
+        module(robot, name, "127.0.0.1", Readiness.READY),
+        new ChainAttributes(List.of(), List.of("GpsFix")),
+        new SensorAttributes("GpsFix", List.of("continuous"), 0.1, maxRate, null, List.of()));
+  }
+
+  static List<Attributes> and(List<Attributes> some, Attributes... more) {
+    List<Attributes> all = new ArrayList<>(some);
+    all.addAll(Arrays.asList(more));
+    return all;
+  }
+
+  ListedGps list(String robot, String name, double maxRate) throws Exception {
+    return list(name, attributes(robot, name, maxRate), Locality.SAME_HOST);
+  }
+
+  ListedGps list(String name, List<Attributes> attributes, Locality locality) throws Exception {
+    ListedGps module = new ListedGps(UUID.randomUUID(), name);
+    stage.announce(module, attributes, locality);
+    ModuleAttributes who = (ModuleAttributes) attributes.get(0);
+    assertThat(
+            directory.findFirst(
+                ModuleQuery.of(GPSSensor.class).robot(who.robot()).name(who.name()), PATIENCE))
+        .as(name)
+        .isPresent();
+    return module;
+  }
+
+  private List<String> names(ModuleQuery<?> query) {
+    return directory.find(query).stream().map(ModuleListing::name).toList();
+  }
+
+  @Test
+  void findsByInterfaceRobotNameAndAttributes() throws Exception {
+    list("a", "slow", 1);
+    list("a", "fast", 10);
+    list("b", "fast", 5);
+    GpsReceiverAttributes device =
+        new GpsReceiverAttributes("M12+", null, null, null, 12, List.of("2D", "3D"));
+    list("device", and(attributes("b", "device", 2), device), Locality.SAME_HOST);
+    ModuleQuery<LocationSensor> any = ModuleQuery.of(LocationSensor.class);
+
+    assertThat(names(any)).hasSize(4);
+    assertThat(names(any.robot("a"))).containsExactly("fast", "slow");
+    assertThat(names(any.robot("a").name("fast"))).containsExactly("fast");
+    assertThat(names(any.where(SensorAttributes.class, "maxRate", atLeast(5))))
+        .containsExactly("fast", "fast");
+    assertThat(names(any.where(GpsReceiverAttributes.class, "fixModes", contains("3D"))))
+        .containsExactly("device");
+    assertThat(names(any.where(GpsReceiverAttributes.class, "serialNumber", contains("P"))))
+        .as("an unknown value meets no condition")
+        .isEmpty();
+    assertThat(names(any.where(ModuleAttributes.class, "state", equalTo(Readiness.PAUSED))))
+        .isEmpty();
+    ModuleListing<LocationSensor> listing = directory.find(any.name("device")).get(0);
+    assertThat(listing.attributes(GpsReceiverAttributes.class)).contains(device);
+    assertThat(listing.stale()).isFalse();
+    assertThat(listing.age(Instant.now())).isZero();
+  }
+
+  @Test
+  void findsWhatIsNearAlsoByItsRobotsLocation() throws Exception {
+    GeoPosition here = new GeoPosition(52.9103, 6.8667, 50);
+    GeoPosition near = new GeoPosition(52.9105, 6.8667, 90); // 22 m north
+    list(
+        "gps",
+        and(attributes("near", "gps", 1), new LocationAttributes(near, Instant.EPOCH)),
+        Locality.SAME_HOST);
+    list("near", "laser", 1);
+    list("nowhere", "laser", 1);
+    ModuleQuery<GPSSensor> any = ModuleQuery.of(GPSSensor.class);
+    assertThat(names(any.within(50, here))).containsExactly("gps", "laser");
+    assertThat(names(any.within(10, here))).isEmpty();
+  }
+
+  @Test
+  void prefersTheNearestAndThoseThatWork() throws Exception {
+    list("e", and(List.of(module("r", "e", "192.0.2.1", Readiness.READY))), Locality.REMOTE);
+    list("d", and(List.of(module("r", "d", "127.0.0.1", Readiness.FAILED))), Locality.SAME_VM);
+    list("c", and(List.of(module("r", "c", "127.0.0.1", Readiness.READY))), Locality.SAME_HOST);
+    list("b", and(List.of(module("r", "b", "127.0.0.1", Readiness.READY))), Locality.SAME_VM);
+    list("a", and(List.of(module("r", "a", "127.0.0.1", Readiness.READY))), Locality.SAME_HOST);
+    List<ModuleListing<Module>> found = directory.find(ModuleQuery.of(Module.class));
+    assertThat(found).extracting(ModuleListing::name).containsExactly("b", "a", "c", "e", "d");
+    assertThat(found)
+        .extracting(ModuleListing::locality)
+        .containsExactly(
+            Locality.SAME_VM,
+            Locality.SAME_HOST,
+            Locality.SAME_HOST,
+            Locality.REMOTE,
+            Locality.SAME_VM);
+  }
+
+  @Test
+  void waitsForAModuleAsLongAsToldAndNotLonger() throws Exception {
+    ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class).name("late");
+    assertThat(directory.findFirst(query, Duration.ofMillis(50))).isEmpty();
+    CompletableFuture<Optional<ModuleListing<GPSSensor>>> waiting =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                return directory.findFirst(query, PATIENCE);
+              } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+              }
+            });
+    list("r", "late", 1);
+    assertThat(waiting.get(10, TimeUnit.SECONDS)).isPresent();
+  }
+
+  /** Writes down what it is told. */
+  private static class Heard implements DirectoryListener<GPSSensor> {
+    final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
+
+    @Override
+    public void matched(ModuleListing<GPSSensor> listing) {
+      lines.add("matched " + listing.name());
+    }
+
+    @Override
+    public void changed(ModuleListing<GPSSensor> before, ModuleListing<GPSSensor> now) {
+      lines.add("changed " + now.name() + (now.stale() ? " stale" : ""));
+    }
+
+    @Override
+    public void unmatched(ModuleListing<GPSSensor> last) {
+      lines.add("unmatched " + last.name());
+    }
+
+    String next() throws InterruptedException {
+      return lines.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    }
+  }
+
+  @Test
+  void tellsListenersOfMatchChangeAndNoMatch() throws Exception {
+    list("r", "before", 10);
+    Heard heard = new Heard();
+    try (Watch watch =
+        directory.listen(
+            ModuleQuery.of(GPSSensor.class).where(SensorAttributes.class, "maxRate", atLeast(5)),
+            heard)) {
+      assertThat(heard.next()).isEqualTo("matched before");
+      list("r", "slow", 1);
+      ListedGps gps = list("r", "gps", 5);
+      assertThat(heard.next()).isEqualTo("matched gps");
+      stage.announce(gps, attributes("r", "gps", 6), Locality.SAME_HOST);
+      assertThat(heard.next()).isEqualTo("changed gps");
+      stage.announce(gps, attributes("r", "gps", 4), Locality.SAME_HOST);
+      assertThat(heard.next()).isEqualTo("unmatched gps");
+      stage.announce(gps, attributes("r", "gps", 7), Locality.SAME_HOST);
+      assertThat(heard.next()).isEqualTo("matched gps");
+      stage.withdraw(gps.id());
+      assertThat(heard.next()).isEqualTo("unmatched gps");
+      stage.loseSight();
+      assertThat(heard.next()).as("%s", watch).isEqualTo("changed before stale");
+    }
+    assertThat(heard.lines).isEmpty();
+  }
+
+  @Test
+  void aSlowListenerHoldsUpNobodyAndHearsTheLastState() throws Exception {
+    CountDownLatch blocked = new CountDownLatch(1);
+    CountDownLatch go = new CountDownLatch(1);
+    BlockingQueue<Double> rates = new LinkedBlockingQueue<>();
+    ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
+    Heard healthy = new Heard();
+    try (Watch slow =
+            directory.listen(
+                query,
+                new DirectoryListener<>() {
+                  @Override
+                  public void matched(ModuleListing<GPSSensor> listing) {
+                    blocked.countDown();
+                    try {
+                      go.await();
+                    } catch (InterruptedException e) {
+                      Thread.currentThread().interrupt();
+                    }
+                  }
+
+                  @Override
+                  public void changed(
+                      ModuleListing<GPSSensor> before, ModuleListing<GPSSensor> now) {
+                    rates.add(now.attributes(SensorAttributes.class).orElseThrow().maxRate());
+                  }
+                });
+        Watch other = directory.listen(query, healthy)) {
+      ListedGps gps = list("r", "gps", 1);
+      assertThat(blocked.await(10, TimeUnit.SECONDS)).as("%s %s", slow, other).isTrue();
+      assertThat(healthy.next()).isEqualTo("matched gps");
+      for (int rate = 2; rate <= 9; rate++) {
+        stage.announce(gps, attributes("r", "gps", rate), Locality.SAME_HOST);
+        assertThat(healthy.next()).isEqualTo("changed gps");
+      }
+      go.countDown();
+      assertThat(rates.poll(10, TimeUnit.SECONDS)).as("eight changes, told as one").isEqualTo(9);
+      assertThat(rates).isEmpty();
+    }
+  }
+
+  @Test
+  void aListenerThatFailsIsToldOfTheNextAllTheSame() throws Exception {
+    Heard heard =
+        new Heard() {
+          @Override
+          public void matched(ModuleListing<GPSSensor> listing) {
+            super.matched(listing);
+            throw new IllegalStateException("on purpose");
+          }
+        };
+    try (Watch watch = directory.listen(ModuleQuery.of(GPSSensor.class), heard)) {
+      list("r", "one", 1);
+      list("r", "two", 1);
+      assertThat(heard.next()).as("%s", watch).isEqualTo("matched one");
+      assertThat(heard.next()).isEqualTo("matched two");
+    }
+  }
+
+  @Test
+  void keepsTheLastKnownAsStaleWithItsAge() throws Exception {
+    list("r", "gps", 1);
+    stage.announce(new PersonaAttributes("r", "scout", List.of("map"), List.of()));
+    await().atMost(PATIENCE).until(() -> directory.personas().get(0).attributes().isPresent());
+    stage.loseSight();
+    await()
+        .atMost(PATIENCE)
+        .until(() -> directory.find(ModuleQuery.of(GPSSensor.class)).get(0).stale());
+    ModuleListing<GPSSensor> kept = directory.find(ModuleQuery.of(GPSSensor.class)).get(0);
+    assertThat(kept.module().identification().name()).isEqualTo("gps");
+    assertThat(kept.age(kept.confirmed().plusSeconds(7))).isEqualTo(Duration.ofSeconds(7));
+    assertThat(kept.confirmed()).isBetween(Instant.now().minusSeconds(20), Instant.now());
+    await().atMost(PATIENCE).until(() -> directory.personas().get(0).stale());
+    assertThat(directory.personas()).hasSize(1);
+  }
+
+  @Test
+  void listsRobotsWithTheirModules() throws Exception {
+    list("b", "gps", 1);
+    list("a", "laser", 1);
+    list("a", "gps", 1);
+    PersonaAttributes persona =
+        new PersonaAttributes("a", "scout", List.of("map the field"), List.of("no stairs"));
+    stage.announce(persona);
+    stage.announce(new PersonaAttributes("c", "", List.of(), List.of()));
+    await().atMost(PATIENCE).until(() -> directory.personas().size() == 3);
+    await().atMost(PATIENCE).until(() -> directory.personas().get(0).attributes().isPresent());
+    List<Persona> personas = directory.personas();
+    assertThat(personas).extracting(Persona::robot).containsExactly("a", "b", "c");
+    assertThat(personas.get(0).attributes()).contains(persona);
+    assertThat(personas.get(0).modules())
+        .extracting(ModuleListing::name)
+        .containsExactly("gps", "laser");
+    assertThat(personas.get(1).attributes()).isEmpty();
+    assertThat(personas.get(2).modules()).isEmpty();
+    assertThat(personas).noneMatch(Persona::stale);
+  }
+
+  @Test
+  void aProxyForAQueryAsksAnotherModuleWhenAQuestionFails() throws Exception {
+    ListedGps one = list("r", "one", 1);
+    ListedGps two = list("r", "two", 1);
+    Lamp lamp = directory.proxyFor(ModuleQuery.of(Lamp.class));
+    assertThat(lamp.who()).isEqualTo("one");
+    one.behaviour().failure = new UnmarshalException("on purpose");
+    assertThat(lamp.who()).isEqualTo("two");
+    assertThat(one.behaviour().calls).hasValue(2);
+    assertThat(lamp.who()).isEqualTo("two");
+    assertThat(one.behaviour().calls).as("one that failed is left alone").hasValue(2);
+    two.behaviour().failure = new ConnectException("on purpose too");
+    assertThatThrownBy(lamp::who).as("once more, not for ever").isInstanceOf(Exception.class);
+    assertThat(one.behaviour().calls).hasValue(3);
+    assertThat(two.behaviour().calls).hasValue(3);
+  }
+
+  @Test
+  void aProxyForAQueryNeverRepeatsACommandAndSaysWhetherItMayHaveRun() throws Exception {
+    ListedGps one = list("r", "one", 1);
+    ListedGps two = list("r", "two", 1);
+    Lamp lamp = directory.proxyFor(ModuleQuery.of(Lamp.class));
+    one.behaviour().failure = new UnmarshalException("on purpose");
+    assertThatThrownBy(lamp::toggle)
+        .isInstanceOf(CallFailedException.class)
+        .hasMessageStartingWith(
+            "toggle on r/one failed; it may have run, so repeat it only if repeating does no harm");
+    assertThat(two.behaviour().calls).hasValue(0);
+    two.behaviour().failure = new ConnectException("on purpose");
+    assertThatThrownBy(lamp::toggle)
+        .as("the next command goes to the other")
+        .hasMessageStartingWith("toggle on r/two failed; it has not run");
+    assertThat(one.behaviour().calls).hasValue(1);
+  }
+
+  @Test
+  void aProxyForAQueryFollowsTheDirectory() throws Exception {
+    Lamp lamp = directory.proxyFor(ModuleQuery.of(Lamp.class).robot("r").name("x"));
+    assertThatThrownBy(lamp::who)
+        .isInstanceOf(NoModuleFoundException.class)
+        .hasMessage("there is no Lamp named x on r now; start one, or ask for less");
+    ListedGps x = list("r", "x", 1);
+    assertThat(lamp.who()).isEqualTo("x");
+    assertThat(lamp).isEqualTo(lamp).hasToString("any Lamp named x on r");
+    stage.withdraw(x.id());
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () -> assertThatThrownBy(lamp::who).isInstanceOf(NoModuleFoundException.class));
+  }
+
+  @Test
+  void answersFiftyQuestionsAsASearchOfEverythingDoes() throws Exception {
+    ScriptedQuestions script =
+        new ScriptedQuestions(Boolean.getBoolean("dfra.full") ? 10_000 : 1_000);
+    for (ScriptedQuestions.Listed each : script.listed()) {
+      stage.announce(each.module(), each.attributes(), Locality.SAME_HOST);
+    }
+    ModuleQuery<GPSSensor> all = ModuleQuery.of(GPSSensor.class);
+    await()
+        .atMost(Duration.ofSeconds(120))
+        .until(() -> directory.find(all).size() == script.listed().size());
+    assertThat(script.questions()).hasSize(50);
+    for (ScriptedQuestions.Question question : script.questions()) {
+      assertThat(directory.find(question.query()).stream().map(ModuleListing::id).toList())
+          .as("%s", question.query())
+          .containsExactlyInAnyOrderElementsOf(script.answer(question));
+    }
+    assertThat(script.questions()).anyMatch(question -> script.answer(question).size() > 10);
+  }
+}

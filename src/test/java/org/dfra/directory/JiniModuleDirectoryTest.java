@@ -1,0 +1,230 @@
+package org.dfra.directory;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.UUID;
+import net.jini.admin.Administrable;
+import net.jini.admin.JoinAdmin;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
+import net.jini.core.lookup.ServiceRegistration;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PersonaAttributes;
+import org.dfra.river.entry.Entries;
+import org.dfra.river.lookup.DirectorySettings;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.proxy.LocalModules;
+import org.dfra.testing.EmbeddedReggie;
+import org.junit.jupiter.api.Test;
+
+class JiniModuleDirectoryTest extends DirectoryContract {
+
+  private static final long LEASE = EmbeddedReggie.LEASE_MILLIS;
+
+  private final List<EmbeddedReggie> reggies = new ArrayList<>();
+
+  private static DirectorySettings settings(List<String> locators) {
+    return new DirectorySettings(
+        EmbeddedReggie.HOST,
+        List.of(),
+        locators,
+        Duration.ofMillis(200),
+        Duration.ofMillis(200),
+        Duration.ofSeconds(3),
+        Duration.ofSeconds(30),
+        Duration.ofSeconds(5));
+  }
+
+  @Override
+  Stage stage() throws Exception {
+    EmbeddedReggie reggie = new EmbeddedReggie().start();
+    reggies.add(reggie);
+    return new JiniStage(
+        reggie,
+        new JiniModuleDirectory(settings(List.of(reggie.locator())), InstantSource.system()));
+  }
+
+  /** A lookup service and a client of it. */
+  private final class JiniStage implements Stage {
+    private final EmbeddedReggie reggie;
+    private final JiniModuleDirectory directory;
+    private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();
+    private final Set<ListedGps> local = new HashSet<>();
+
+    JiniStage(EmbeddedReggie reggie, JiniModuleDirectory directory) {
+      this.reggie = reggie;
+      this.directory = directory;
+    }
+
+    @Override
+    public ModuleDirectory directory() {
+      return directory;
+    }
+
+    @Override
+    public void announce(ListedGps module, List<Attributes> attributes, Locality locality)
+        throws Exception {
+      if (locality == Locality.SAME_VM && local.add(module)) {
+        LocalModules.enter(module.id(), module);
+      }
+      ServiceRegistration known = registrations.get(module.id());
+      if (known != null) {
+        known.setAttributes(Entries.of(attributes));
+        return;
+      }
+      registrations.put(
+          module.id(), register(reggie, module.id(), module, attributes, 100 * LEASE));
+    }
+
+    @Override
+    public void announce(PersonaAttributes robot) throws Exception {
+      // As a robot's registrar is told; here by a service of its own, since reggie is one robot's.
+      register(reggie, UUID.randomUUID(), "a registrar", List.of(robot), 100 * LEASE);
+    }
+
+    @Override
+    public void withdraw(UUID id) throws Exception {
+      registrations.remove(id).getLease().cancel();
+    }
+
+    @Override
+    public void loseSight() throws Exception {
+      reggie.close();
+    }
+
+    @Override
+    public void close() throws Exception {
+      local.forEach(module -> LocalModules.leave(module.id(), module));
+      for (EmbeddedReggie each : reggies) {
+        each.close();
+      }
+    }
+  }
+
+  private static ServiceRegistration register(
+      EmbeddedReggie reggie, UUID id, Object service, List<Attributes> attributes, long lease)
+      throws Exception {
+    return reggie
+        .registrar()
+        .register(
+            new ServiceItem(
+                new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+                service,
+                Entries.of(attributes)),
+            lease);
+  }
+
+  @Test
+  void dropsAModuleWhoseLeaseRanOut() throws Exception {
+    ListedGps gps = new ListedGps(UUID.randomUUID(), "gps");
+    register(reggies.get(0), gps.id(), gps, attributes("r", "gps", 1), 1_000);
+    assertThat(directory.find(GPSSensor.class, PATIENCE)).isPresent();
+    await()
+        .atMost(Duration.ofSeconds(8))
+        .until(() -> directory.find(ModuleQuery.of(GPSSensor.class)).isEmpty());
+  }
+
+  @Test
+  void aModuleInSeveralLookupServicesIsOneAndFreshWhileOneOfThemHasIt() throws Exception {
+    EmbeddedReggie one = reggies.get(0);
+    EmbeddedReggie two = new EmbeddedReggie().start();
+    reggies.add(two);
+    ListedGps gps = new ListedGps(UUID.randomUUID(), "gps");
+    ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
+    try (JiniModuleDirectory team =
+        new JiniModuleDirectory(
+            settings(List.of(one.locator(), two.locator())), InstantSource.system())) {
+      register(one, gps.id(), gps, attributes("r", "gps", 1), 100 * LEASE);
+      register(two, gps.id(), gps, attributes("r", "gps", 1), 100 * LEASE);
+      await().atMost(PATIENCE).until(() -> team.registrars() == 2);
+      assertThat(team.findFirst(query, PATIENCE)).isPresent();
+      one.close();
+      await().atMost(PATIENCE).until(() -> team.registrars() == 1);
+      assertThat(team.find(query)).singleElement().matches(listing -> !listing.stale());
+      two.close();
+      await().atMost(PATIENCE).until(() -> team.find(query).get(0).stale());
+      assertThat(team.find(query)).hasSize(1);
+    }
+  }
+
+  @Test
+  void findsARestartedLookupServiceWithinFiveSeconds() throws Exception {
+    EmbeddedReggie first = reggies.get(0);
+    int port = first.port();
+    ListedGps gps = list("r", "gps", 1);
+    ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
+    first.close();
+    await().atMost(PATIENCE).until(() -> directory.find(query).get(0).stale());
+    EmbeddedReggie second = new EmbeddedReggie(port).start();
+    reggies.add(second);
+    register(second, gps.id(), gps, attributes("r", "gps", 1), 100 * LEASE);
+    await().atMost(Duration.ofSeconds(5)).until(() -> !directory.find(query).get(0).stale());
+    assertThat(directory.find(query)).hasSize(1);
+  }
+
+  @Test
+  void readsARobotsPersonaFromItsRegistrar() throws Exception {
+    PersonaAttributes persona =
+        new PersonaAttributes("atrv1", "scout", List.of("map the field"), List.of());
+    JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
+    admin.addLookupAttributes(Entries.of(List.of(persona)));
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () ->
+                assertThat(directory.personas())
+                    .singleElement()
+                    .extracting(found -> found.attributes().orElse(null))
+                    .isEqualTo(persona));
+  }
+
+  @Test
+  void aLocatorWhereNobodyAnswersHoldsUpNobody() throws Exception {
+    int free;
+    try (ServerSocket socket = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
+      free = socket.getLocalPort();
+    }
+    EmbeddedReggie reggie = reggies.get(0);
+    list("r", "gps", 1);
+    try (JiniModuleDirectory both =
+        new JiniModuleDirectory(
+            settings(List.of("jini://127.0.0.1:" + free, reggie.locator())),
+            InstantSource.system())) {
+      assertThat(both.find(GPSSensor.class, Duration.ofSeconds(5))).isPresent();
+    }
+  }
+
+  @Test
+  void refusesALocatorThatIsNone() {
+    assertThatThrownBy(() -> new JiniModuleDirectory("127.0.0.1", List.of(), List.of("nowhere")))
+        .isInstanceOf(IOException.class)
+        .hasMessage("the locator \"nowhere\" is not of the form jini://host or jini://host:port");
+  }
+
+  @Test
+  void leavesOutServicesThatAreNoModulesOfDfra() throws Exception {
+    register(reggies.get(0), UUID.randomUUID(), "a text", List.of(), 100 * LEASE);
+    ListedGps nameless = new ListedGps(UUID.randomUUID(), "nameless");
+    register(reggies.get(0), nameless.id(), nameless, List.of(), 100 * LEASE);
+    list("r", "gps", 1);
+    assertThat(directory.find(ModuleQuery.of(GPSSensor.class)))
+        .singleElement()
+        .extracting(listing -> listing.attributes(ModuleAttributes.class).orElseThrow().name())
+        .isEqualTo("gps");
+  }
+}

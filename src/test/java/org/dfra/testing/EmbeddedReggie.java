@@ -1,0 +1,278 @@
+package org.dfra.testing;
+
+import com.sun.jini.reggie.TransientRegistrarImpl;
+import com.sun.jini.start.LifeCycle;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.ServerSocket;
+import java.rmi.RemoteException;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javax.net.ServerSocketFactory;
+import net.jini.config.Configuration;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.lookup.SuppliedConfiguration;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeAllCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
+import org.junit.jupiter.api.extension.ParameterContext;
+import org.junit.jupiter.api.extension.ParameterResolver;
+
+/**
+ * A lookup service in the test's own virtual machine: stock reggie, transient, on the loopback, at
+ * a port of its own, without multicast, so that tests beside each other never meet.
+ *
+ * <p>As a JUnit extension it runs as long as what it is registered for:
+ *
+ * <pre>{@code
+ * @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie(); // one for the class
+ * @RegisterExtension final EmbeddedReggie reggie = new EmbeddedReggie();        // one for each test
+ * @ExtendWith(EmbeddedReggie.class)                              // one for the class, as a parameter
+ * }</pre>
+ *
+ * Parameters of type {@code EmbeddedReggie} and {@link JiniModuleDirectory} are supplied; a
+ * directory is closed after the test. Without JUnit, {@link #start} and {@link #close} do it.
+ *
+ * <p>Timings are a robot's: whoever stops to renew is forgotten after {@link #LEASE_MILLIS}.
+ */
+public final class EmbeddedReggie
+    implements BeforeAllCallback,
+        BeforeEachCallback,
+        AfterEachCallback,
+        ParameterResolver,
+        AutoCloseable {
+
+  /** Address of everything here. */
+  public static final String HOST = "127.0.0.1";
+
+  /** How long a registration is kept without renewal, in milliseconds. */
+  public static final long LEASE_MILLIS = 5_000;
+
+  private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
+
+  private final int wantedPort;
+  private Reggie reggie; // guarded by this
+  private ServiceRegistrar registrar; // guarded by this
+  private String group; // guarded by this
+
+  /** At a port of the system's choice. */
+  public EmbeddedReggie() {
+    this(0);
+  }
+
+  /**
+   * @param port TCP port for unicast discovery; 0 for one of the system's choice
+   */
+  public EmbeddedReggie(int port) {
+    this.wantedPort = port;
+  }
+
+  /** Starts it. Does nothing when already started. */
+  public synchronized EmbeddedReggie start() throws Exception {
+    if (reggie == null) {
+      group = "test-" + UUID.randomUUID();
+      reggie = new Reggie(configuration(group, wantedPort));
+      registrar = (ServiceRegistrar) reggie.getServiceProxy();
+    }
+    return this;
+  }
+
+  /** Ends it and waits until it has ended. Does nothing when not started. */
+  @Override
+  public synchronized void close() throws RemoteException, InterruptedException {
+    if (reggie != null) {
+      reggie.end();
+      reggie = null;
+      registrar = null;
+    }
+  }
+
+  /** The lookup service, for tests that speak with it themselves. */
+  public synchronized ServiceRegistrar registrar() {
+    if (registrar == null) {
+      throw new IllegalStateException("the embedded reggie does not run; start it first");
+    }
+    return registrar;
+  }
+
+  /** Where modules and clients find it: {@code jini://127.0.0.1:port}. */
+  public String locator() {
+    return "jini://" + HOST + ":" + port();
+  }
+
+  /** Its TCP port for unicast discovery. */
+  public int port() {
+    try {
+      return registrar().getLocator().getPort();
+    } catch (RemoteException e) {
+      throw new IllegalStateException("the embedded reggie does not answer", e);
+    }
+  }
+
+  /** Its discovery group, of which no other lookup service is a member. */
+  public synchronized String group() {
+    registrar();
+    return group;
+  }
+
+  /** A client that looks for modules in this lookup service only; the caller closes it. */
+  public JiniModuleDirectory directory() throws IOException {
+    return new JiniModuleDirectory(HOST, List.of(), List.of(locator()));
+  }
+
+  @Override
+  public void beforeAll(ExtensionContext context) {
+    startFor(context);
+  }
+
+  @Override
+  public void beforeEach(ExtensionContext context) {
+    startFor(context);
+  }
+
+  /** Where one runs for the class already, that one goes on; else this test has its own. */
+  private void startFor(ExtensionContext context) {
+    context.getStore(NAMESPACE).getOrComputeIfAbsent(this, key -> new Run(started()));
+  }
+
+  private EmbeddedReggie started() {
+    try {
+      return start();
+    } catch (Exception e) {
+      throw new IllegalStateException("the embedded reggie did not start", e);
+    }
+  }
+
+  /** Closes it with the context that it was started for. */
+  private record Run(EmbeddedReggie running) implements AutoCloseable {
+    @Override
+    public void close() throws RemoteException, InterruptedException {
+      running.close();
+    }
+  }
+
+  @Override
+  public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+    Class<?> type = parameter.getParameter().getType();
+    return type == EmbeddedReggie.class || type == JiniModuleDirectory.class;
+  }
+
+  @Override
+  public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+    if (parameter.getParameter().getType() == EmbeddedReggie.class) {
+      return started();
+    }
+    return context
+        .getStore(NAMESPACE)
+        .getOrComputeIfAbsent(
+            JiniModuleDirectory.class, key -> startedDirectory(), JiniModuleDirectory.class);
+  }
+
+  private JiniModuleDirectory startedDirectory() {
+    try {
+      return started().directory();
+    } catch (IOException e) {
+      throw new IllegalStateException("no directory for the embedded reggie", e);
+    }
+  }
+
+  /** A directory that was supplied ends before its lookup service does. */
+  @Override
+  public void afterEach(ExtensionContext context) {
+    JiniModuleDirectory directory =
+        context.getStore(NAMESPACE).remove(JiniModuleDirectory.class, JiniModuleDirectory.class);
+    if (directory != null) {
+      directory.close();
+    }
+  }
+
+  private static Configuration configuration(String group, int port) {
+    String reggie = "com.sun.jini.reggie.";
+    NetworkInterface[] none = {};
+    return new SuppliedConfiguration(
+        Map.ofEntries(
+            Map.entry(reggie + "initialMemberGroups", () -> new String[] {group}),
+            Map.entry(
+                reggie + "serverExporter",
+                () ->
+                    new BasicJeriExporter(
+                        Endpoints.tcp(HOST, 0), new DeadlineILFactory(), false, true)),
+            Map.entry(reggie + "serverSocketFactory", () -> new DiscoverySockets(port)),
+            Map.entry(reggie + "unicastDiscoveryHost", () -> HOST),
+            Map.entry(reggie + "multicastInterfaces", () -> none),
+            Map.entry(reggie + "minMaxServiceLease", () -> LEASE_MILLIS),
+            Map.entry(reggie + "minMaxEventLease", () -> LEASE_MILLIS),
+            Map.entry("net.jini.discovery.LookupDiscovery.multicastInterfaces", () -> none)));
+  }
+
+  /** Reggie, and when it has ended. */
+  private static final class Reggie extends TransientRegistrarImpl {
+
+    private static final long PATIENCE_SECONDS = 10;
+
+    private final CountDownLatch ended;
+
+    Reggie(Configuration configuration) throws Exception {
+      this(configuration, new CountDownLatch(1));
+    }
+
+    private Reggie(Configuration configuration, CountDownLatch ended) throws Exception {
+      super(configuration, end(ended));
+      this.ended = ended;
+    }
+
+    private static LifeCycle end(CountDownLatch ended) {
+      return reggie -> {
+        ended.countDown();
+        return true;
+      };
+    }
+
+    void end() throws RemoteException, InterruptedException {
+      destroy();
+      if (!ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+        throw new IllegalStateException(
+            "the embedded reggie did not end within " + PATIENCE_SECONDS + " s");
+      }
+    }
+  }
+
+  /**
+   * Sockets of the loopback at one port. Reggie asks for port 4160 first; a test never takes what a
+   * robot on this machine may need.
+   */
+  private static final class DiscoverySockets extends ServerSocketFactory {
+
+    private final int port;
+
+    DiscoverySockets(int port) {
+      this.port = port;
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int wanted) throws IOException {
+      return new ServerSocket(port, 0, InetAddress.getByName(HOST));
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int wanted, int backlog) throws IOException {
+      return new ServerSocket(port, backlog, InetAddress.getByName(HOST));
+    }
+
+    @Override
+    public ServerSocket createServerSocket(int wanted, int backlog, InetAddress address)
+        throws IOException {
+      return new ServerSocket(port, backlog, address);
+    }
+  }
+}

@@ -1,0 +1,140 @@
+package org.dfra.testing;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.rmi.MarshalledObject;
+import java.rmi.activation.ActivationID;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.UUID;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.Place;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
+
+/**
+ * A module to be served in the test's own virtual machine, as a group would serve it, but without
+ * an activation system. Immutable.
+ *
+ * <pre>{@code
+ * ServedModule<GPSServer> gps =
+ *     ServedModule.of(GPSServer.class, GPSProxy.class, M12PlusImpl.class)
+ *         .with("link", "replay:recording.bin")
+ *         .joining(reggie);
+ * try (GPSServer server = gps.serve()) {
+ *   ... // found in the registrar, called through its proxy
+ * }
+ * }</pre>
+ *
+ * <p>Serving runs the real six activation steps. Serving again, after the server was closed, is
+ * what resurrection does: the identity is the same.
+ *
+ * @param activation what the server is constructed with
+ * @param server the server's class; it has a constructor {@code (ActivationID, MarshalledObject)}
+ */
+public record ServedModule<S extends ModuleServer<?>>(
+    Class<S> server, ModuleActivation activation) {
+
+  /** A module made of these classes: {@code robot/module}, of a fresh identity, joining nothing. */
+  public static <S extends ModuleServer<?>> ServedModule<S> of(
+      Class<S> server, Class<? extends ModuleProxy<?>> proxy, Class<? extends ModuleImpl> driver) {
+    ModuleDescription description =
+        new ModuleDescription(
+            "robot",
+            "module",
+            server.getName(),
+            proxy.getName(),
+            driver.getName(),
+            null,
+            false,
+            new Parameters("robot/module", Map.of()),
+            Place.CODE);
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            description, UUID.randomUUID(), EmbeddedReggie.HOST, List.of(), List.of()));
+  }
+
+  /** The same with another parameter for its driver. */
+  public ServedModule<S> with(String parameter, String value) {
+    return with(parameter, value, Place.CODE);
+  }
+
+  /** The same with another parameter for its driver, as if it were written at that place. */
+  public ServedModule<S> with(String parameter, String value, Place place) {
+    ModuleDescription old = activation.module();
+    Map<String, Parameters.Value> values = new TreeMap<>(old.parameters().all());
+    values.put(parameter, new Parameters.Value(value, place));
+    return described(
+        new ModuleDescription(
+            old.robot(),
+            old.name(),
+            old.serverClass(),
+            old.proxyClass(),
+            old.driverClass(),
+            old.configuration(),
+            old.restart(),
+            new Parameters(old.path(), values),
+            old.place()));
+  }
+
+  /** The same, as another description has it. */
+  public ServedModule<S> described(ModuleDescription description) {
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            description,
+            activation.id(),
+            activation.host(),
+            activation.lookupGroups(),
+            activation.locators()));
+  }
+
+  /** The same under another identity. */
+  public ServedModule<S> identified(UUID id) {
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            activation.module(),
+            id,
+            activation.host(),
+            activation.lookupGroups(),
+            activation.locators()));
+  }
+
+  /** The same, joining this lookup service. */
+  public ServedModule<S> joining(EmbeddedReggie reggie) {
+    return joining(reggie.locator());
+  }
+
+  /** The same, joining the lookup service at this locator. */
+  public ServedModule<S> joining(String locator) {
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            activation.module(), activation.id(), activation.host(), List.of(), List.of(locator)));
+  }
+
+  /**
+   * Serves it until the server is closed.
+   *
+   * @throws Exception what the server's constructor threw
+   */
+  public S serve() throws Exception {
+    Constructor<S> constructor =
+        server.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
+    constructor.setAccessible(true);
+    try {
+      return constructor.newInstance(null, new MarshalledObject<>(activation));
+    } catch (InvocationTargetException e) {
+      if (e.getCause() instanceof Exception cause) {
+        throw cause;
+      }
+      throw e;
+    }
+  }
+}
