@@ -25,7 +25,8 @@ dependencyResolutionManagement {
                 .filter { it.text("groupId") != "org.dfra" }
                 .forEach {
                     val version = it.text("version").removeSurrounding("\${", "}")
-                    library(it.text("artifactId"), it.text("groupId"), it.text("artifactId")).version(versions.getValue(version))
+                    val alias = it.text("artifactId").replaceFirstChar(Char::lowercase) // Gradle takes no capital there
+                    library(alias, it.text("groupId"), it.text("artifactId")).version(versions.getValue(version))
                 }
         }
     }

@@ -1,1 +1,4 @@
-// dfra-api needs the JDK only.
+// dfra-api needs the JDK only; its tests ask somebody else's geodesy.
+dependencies {
+    testImplementation(rootProject.libs.geographicLib.Java)
+}

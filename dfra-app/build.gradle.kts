@@ -7,7 +7,7 @@ dependencies {
     api(rootProject.libs.picocli)
     runtimeOnly(rootProject.libs.jsk.resources)
     runtimeOnly(rootProject.libs.reggie)
-    runtimeOnly(rootProject.libs.logback.classic)
+    implementation(rootProject.libs.logback.classic)
 }
 
 tasks.register<Sync>("lib") {

@@ -59,6 +59,12 @@ class ArchitectureTest {
   private static final String[] DISTRIBUTED = {"org.dfra.river.."};
   private static final String[] PROXY = {"org.dfra.river.proxy.."};
   private static final String[] REMOTE = {"org.dfra.river.remote.."};
+
+  /** A listener's end of a subscription is exported, and has a queue like the module's end. */
+  private static final String[] CARRIES_EVENTS = {
+    "org.dfra.river.call..", "org.dfra.core.event..", "org.dfra.core.time.."
+  };
+
   private static final String[] ENTRY = {"org.dfra.river.entry.."};
 
   private static final JavaClasses DFRA =
@@ -83,9 +89,10 @@ class ArchitectureTest {
   }
 
   @Test
-  void coreNeedsTheApiXmlAndLogOnly() {
+  void coreNeedsTheApiXmlMatricesAndLogOnly() {
     String[] jdom = {"org.jdom2.."};
-    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, NULLNESS, LOG, jdom)));
+    String[] ejml = {"org.ejml.."};
+    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, NULLNESS, LOG, jdom, ejml)));
   }
 
   @Test
@@ -124,8 +131,8 @@ class ArchitectureTest {
   }
 
   @Test
-  void aProxyNeedsTheApiTheRemoteInterfaceAndTheEntriesOnly() {
-    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY)));
+  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesAndWhatCarriesEventsOnly() {
+    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CARRIES_EVENTS)));
   }
 
   @Test

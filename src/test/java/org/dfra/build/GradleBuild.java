@@ -122,12 +122,18 @@ final class GradleBuild {
     String alias = line.group("alias");
     return versions.keySet().stream()
         .filter(name -> !name.startsWith(PROJECT_GROUP))
-        .filter(name -> name.substring(name.indexOf(':') + 1).replaceAll("[-_]", ".").equals(alias))
+        .filter(name -> alias(name.substring(name.indexOf(':') + 1)).equals(alias))
         .findFirst()
         .orElseThrow(
             () ->
                 new IllegalStateException(
                     module + ": libs." + alias + " is no dependency managed in pom.xml"));
+  }
+
+  /** As settings.gradle.kts names it, and as the catalog's accessor spells that. */
+  private static String alias(String artifact) {
+    return (Character.toLowerCase(artifact.charAt(0)) + artifact.substring(1))
+        .replaceAll("[-_]", ".");
   }
 
   /**

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
@@ -17,7 +16,7 @@ import org.dfra.module.Identification;
 import org.dfra.module.Readiness;
 
 /** A module whose calls go where the test says; copies of it behave alike. */
-record ListedGps(UUID id, String name) implements GPSSensor, Lamp, Serializable {
+record ListedGps(UUID id, String name) implements BareGps, Lamp, Serializable {
 
   /** What the calls of one module do. */
   static final class Behaviour {

@@ -364,7 +364,9 @@ class RobotBootstrapIT {
     assertThat(wire(registrar)).contains(host);
     assertThat(registrar.getLocator().getHost()).isEqualTo(host);
     // Phoenix itself is on the loopback here, and its activator is a part of every proxy.
-    assertThat(wire(roof.server().use(1000))).contains(host).doesNotContain("127.");
+    assertThat(wire(roof.server().use(Duration.ofSeconds(1))))
+        .contains(host)
+        .doesNotContain("127.");
 
     try (JiniModuleDirectory finder = finder(port)) { // robot alpha says 127.0.0.1
       assertThat(

@@ -107,7 +107,7 @@ public class ActivationStepsTest { // public, so that a Jini configuration can n
     try (ThermometerServer server = good.serve()) {
       assertThat(WatchedImpl.last.isWorking()).isTrue();
       assertThat(WatchedExporter.last.isExported()).as("by its own configuration").isTrue();
-      assertThat(server.use(1000)).isNotNull();
+      assertThat(server.use(Duration.ofSeconds(1))).isNotNull();
       await().atMost(PATIENCE).until(ActivationStepsTest::isRegistered);
     }
     assertNothingIsLeft();
@@ -413,8 +413,8 @@ public class ActivationStepsTest { // public, so that a Jini configuration can n
   public static final class ChoosyImpl extends RoomImpl {
     public ChoosyImpl(ModuleContext context) {
       super(context);
-      if (!parameters().text("room").equals("kitchen")) {
-        throw parameters().fault("room", "a room with a window", null);
+      if (!settings().text("room").equals("kitchen")) {
+        throw settings().fault("room", "a room with a window", null);
       }
     }
   }

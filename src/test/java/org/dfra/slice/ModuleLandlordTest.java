@@ -8,6 +8,7 @@ import static org.awaitility.Awaitility.await;
 import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordLease;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.config.ConfigurationException;
@@ -21,12 +22,18 @@ import net.jini.id.UuidFactory;
 import net.jini.lease.LeaseListener;
 import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseBook.Holder;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.time.Scheduler;
 import org.dfra.example.thermometer.RemoteThermometer;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.SuppliedConfiguration;
+import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.server.Exporters;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
@@ -40,13 +47,22 @@ class ModuleLandlordTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(5);
 
+  private LeaseBook book;
   private ModuleLandlord landlord;
 
   @BeforeEach
   void make() throws ConfigurationException {
-    landlord =
-        new ModuleLandlord(
-            "atrv1/gps", EmptyConfiguration.INSTANCE, Exporters.jeri(EmbeddedReggie.HOST, 2000));
+    book = book(ModuleLandlord.terms(EmptyConfiguration.INSTANCE));
+    landlord = new ModuleLandlord("atrv1/gps", book, Exporters.jeri(EmbeddedReggie.HOST, 2000));
+  }
+
+  private static LeaseBook book(LeaseTerms terms) {
+    return new LeaseBook(
+        "atrv1/gps", terms, InstantSource.system(), Scheduler.system(), clients -> {});
+  }
+
+  private Lease grant(long millis) throws LeaseRefusedException {
+    return landlord.grant(millis, Holder.CLIENT, () -> {});
   }
 
   @AfterEach
@@ -58,38 +74,38 @@ class ModuleLandlordTest {
   void countsAClientFromGrantToCancel() throws Exception {
     landlord.start();
     landlord.start();
-    Lease first = landlord.grant(10_000);
-    Lease second = landlord.grant(10_000);
-    assertThat(landlord.clients()).isEqualTo(2);
+    Lease first = grant(10_000);
+    Lease second = grant(10_000);
+    assertThat(book.clients()).isEqualTo(2);
     assertThat(first.getExpiration() - System.currentTimeMillis())
         .isCloseTo(10_000L, within(1_000L));
     first.cancel();
-    assertThat(landlord.clients()).isEqualTo(1);
+    assertThat(book.clients()).isEqualTo(1);
     assertThatThrownBy(first::cancel)
         .isInstanceOf(UnknownLeaseException.class)
         .hasMessage("atrv1/gps knows no such lease; it has expired");
     second.cancel();
-    assertThat(landlord.clients()).isZero();
+    assertThat(book.clients()).isZero();
   }
 
   @Test
   void renewsALeaseBeforeItExpires() throws Exception {
     landlord.start();
-    Lease lease = landlord.grant(2_000);
+    Lease lease = grant(2_000);
     lease.renew(30_000);
     assertThat(lease.getExpiration() - System.currentTimeMillis())
         .isCloseTo(30_000L, within(1_000L));
     assertThatThrownBy(() -> lease.renew(120_000))
         .isInstanceOf(LeaseDeniedException.class)
         .hasMessageContaining("lease 120 s > longest allowed 30 s");
-    assertThat(landlord.clients()).as("a renewal refused ends no lease").isEqualTo(1);
+    assertThat(book.clients()).as("a renewal refused ends no lease").isEqualTo(1);
   }
 
   @Test
   void forgetsAClientWhoseLeaseRanOut() throws Exception {
     landlord.start();
-    Lease lease = landlord.grant(20);
-    await().atMost(PATIENCE).until(() -> landlord.clients() == 0);
+    Lease lease = grant(20);
+    await().atMost(PATIENCE).until(() -> book.clients() == 0);
     assertThatThrownBy(() -> lease.renew(1_000))
         .isInstanceOf(UnknownLeaseException.class)
         .hasMessage("atrv1/gps knows no such lease; it has expired");
@@ -108,41 +124,40 @@ class ModuleLandlordTest {
       })
   void refusesALeaseItDoesNotGrant(long millis, String sentence) throws Exception {
     landlord.start();
-    assertThatThrownBy(() -> landlord.grant(millis))
-        .isInstanceOf(LeaseDeniedException.class)
+    assertThatThrownBy(() -> grant(millis))
+        .isInstanceOf(LeaseRefusedException.class)
         .hasMessage(sentence);
-    assertThat(landlord.clients()).isZero();
+    assertThat(book.clients()).isZero();
   }
 
   @Test
   void grantsItsOwnChoiceToWhoWantsAny() throws Exception {
     landlord.start();
-    Lease lease = landlord.grant(Lease.ANY);
+    Lease lease = grant(Lease.ANY);
     assertThat(lease.getExpiration() - System.currentTimeMillis())
         .as("a third of the longest")
         .isCloseTo(10_000L, within(1_000L));
-    assertThat(landlord.grant(30_000).getExpiration()).isGreaterThan(lease.getExpiration());
+    assertThat(grant(30_000).getExpiration()).isGreaterThan(lease.getExpiration());
   }
 
   @Test
   void grantsNothingBeforeStartAndAfterClose() throws Exception {
-    assertThatThrownBy(() -> landlord.grant(1_000))
-        .isInstanceOf(LeaseDeniedException.class)
+    assertThatThrownBy(() -> grant(1_000))
+        .isInstanceOf(LeaseRefusedException.class)
         .hasMessage("atrv1/gps grants no leases now; it starts or stops");
     landlord.start();
-    Lease lease = landlord.grant(10_000);
+    Lease lease = grant(10_000);
     landlord.close();
     landlord.close();
-    assertThat(landlord.clients()).isZero();
-    assertThatThrownBy(() -> landlord.grant(1_000)).isInstanceOf(LeaseDeniedException.class);
+    assertThatThrownBy(() -> grant(1_000)).isInstanceOf(LeaseRefusedException.class);
     assertThatThrownBy(() -> lease.renew(1_000)).isInstanceOf(java.rmi.RemoteException.class);
   }
 
   @Test
   void renewsAndCancelsManyAtOnceAndTellsWhichFailed() throws Exception {
     landlord.start();
-    LandlordLease good = (LandlordLease) landlord.grant(5_000);
-    LandlordLease other = (LandlordLease) landlord.grant(5_000);
+    LandlordLease good = (LandlordLease) grant(5_000);
+    LandlordLease other = (LandlordLease) grant(5_000);
     Uuid unknown = UuidFactory.generate();
     Landlord.RenewResults renewed =
         landlord.renewAll(
@@ -161,27 +176,16 @@ class ModuleLandlordTest {
         landlord.cancelAll(new Uuid[] {good.getReferentUuid(), unknown, other.getReferentUuid()});
     assertThat(failed).hasSize(1);
     assertThat(failed.get(unknown)).isInstanceOf(UnknownLeaseException.class);
-    assertThat(landlord.clients()).isZero();
+    assertThat(book.clients()).isZero();
     assertThat(landlord.cancelAll(new Uuid[0])).isNull();
   }
 
   @Test
   void takesItsTermsFromTheConfiguration() throws Exception {
-    ModuleLandlord strict =
-        new ModuleLandlord(
-            "atrv1/gps",
-            new SuppliedConfiguration(
-                Map.of(
-                    "org.dfra.river.lease.longestLease", () -> 500L,
-                    "org.dfra.river.lease.defaultLease", () -> 100L)),
-            Exporters.jeri(EmbeddedReggie.HOST, 2000));
-    try (strict) {
-      strict.start();
-      assertThatThrownBy(() -> strict.grant(501))
-          .hasMessageContaining("lease 0.501 s > longest allowed 0.5 s");
-      assertThat(strict.grant(Lease.ANY).getExpiration() - System.currentTimeMillis())
-          .isLessThanOrEqualTo(100);
-    }
+    LeaseTerms strict = terms(500L, 100L);
+    assertThat(strict).isEqualTo(new LeaseTerms(Duration.ofMillis(500), Duration.ofMillis(100)));
+    assertThatThrownBy(() -> book(strict).grant(Duration.ofMillis(501), Holder.CLIENT, () -> {}))
+        .hasMessageContaining("lease 0.501 s > longest allowed 0.5 s");
     assertThatThrownBy(() -> terms(0L, 0L))
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContaining("longestLease = 0 ms < 1 ms");
@@ -189,14 +193,12 @@ class ModuleLandlordTest {
         .hasMessageContaining("defaultLease 11 ms > longestLease 10 ms");
   }
 
-  private static void terms(long longest, long usual) throws ConfigurationException {
-    new ModuleLandlord(
-        "atrv1/gps",
+  private static LeaseTerms terms(long longest, long usual) throws ConfigurationException {
+    return ModuleLandlord.terms(
         new SuppliedConfiguration(
             Map.of(
                 "org.dfra.river.lease.longestLease", () -> longest,
-                "org.dfra.river.lease.defaultLease", () -> usual)),
-        Exporters.jeri(EmbeddedReggie.HOST, 2000));
+                "org.dfra.river.lease.defaultLease", () -> usual)));
   }
 
   @Test
@@ -206,11 +208,11 @@ class ModuleLandlordTest {
             ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class);
     try (ThermometerServer server = module.serve()) {
       RemoteThermometer remote = (RemoteThermometer) server.getProxy();
-      assertThatThrownBy(() -> remote.use(120_000))
+      assertThatThrownBy(() -> remote.use(Duration.ofMinutes(2)))
           .as("the sentence crosses the wire")
-          .isInstanceOf(LeaseDeniedException.class)
+          .isInstanceOf(LeaseRefusedException.class)
           .hasMessageContaining("lease 120 s > longest allowed 30 s");
-      Lease lease = remote.use(400);
+      Lease lease = ((LeasedUse) remote.use(Duration.ofMillis(400))).lease();
       long granted = lease.getExpiration();
       AtomicReference<LeaseRenewalEvent> failure = new AtomicReference<>();
       LeaseListener listener = failure::set;

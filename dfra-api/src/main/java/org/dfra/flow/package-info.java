@@ -5,7 +5,8 @@
  *   sensor ---&gt; perceptual schema ---&gt; motor schema ---&gt; effector
  * </pre>
  *
- * <p>Each stage has its own package; this release holds {@link org.dfra.flow.sensor}.
+ * <p>Each stage has its own package; this release holds {@link org.dfra.flow.sensor}. What wires
+ * one stage to the next is {@link org.dfra.flow.Chainable}.
  */
 @NullMarked
 package org.dfra.flow;

@@ -15,7 +15,7 @@ public final class SteadyThermometerImpl extends SensorImpl implements Thermomet
   /** Called by the module's server. */
   public SteadyThermometerImpl(ModuleContext context) {
     super(context, "Thermometer in a steady room", "you", "1.0");
-    this.celsius = parameters().number("celsius", 20, -273.15, 1000);
+    this.celsius = settings().number("celsius", 20, -273.15, 1000);
   }
 
   @Override

@@ -1,8 +1,8 @@
 package org.dfra.flow.sensor;
 
-import java.io.Serializable;
 import java.time.Instant;
 import java.util.OptionalDouble;
+import org.dfra.event.Reading;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
@@ -29,7 +29,7 @@ public record GpsFix(
     double dilution,
     int satellitesVisible,
     int satellitesTracked)
-    implements Serializable {
+    implements Reading {
 
   /** What a solution was solved for. */
   public enum Mode {
@@ -54,6 +54,11 @@ public record GpsFix(
     if (!(course >= 0 && course <= 360)) {
       throw new IllegalArgumentException("course " + course + "° is outside 0° to 360°");
     }
+  }
+
+  @Override
+  public Instant measured() {
+    return utc;
   }
 
   /** Height above the WGS84 ellipsoid in metres, where there is a position. */

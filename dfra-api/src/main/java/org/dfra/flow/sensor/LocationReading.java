@@ -1,7 +1,7 @@
 package org.dfra.flow.sensor;
 
-import java.io.Serializable;
 import java.time.Instant;
+import org.dfra.event.Reading;
 import org.dfra.geometry.GeoPosition;
 
 /**
@@ -12,7 +12,7 @@ import org.dfra.geometry.GeoPosition;
  * @param measured when it stood there, UTC
  */
 public record LocationReading(GeoPosition position, String frame, Instant measured)
-    implements Serializable {
+    implements Reading {
 
   public LocationReading {
     if (frame.isBlank()) {

@@ -1,8 +1,8 @@
 package org.dfra.flow.sensor;
 
-import java.io.Serializable;
 import java.time.Duration;
 import java.time.Instant;
+import org.dfra.event.Reading;
 
 /**
  * A time received from outside.
@@ -10,7 +10,7 @@ import java.time.Instant;
  * @param utc the time the sensor told, UTC
  * @param hostClock what the robot's own clock showed when the sensor's message was complete
  */
-public record TimeReading(Instant utc, Instant hostClock) implements Serializable {
+public record TimeReading(Instant utc, Instant hostClock) implements Reading {
 
   /**
    * How far the robot's clock is ahead of the sensor's time; + is ahead. The travel time of the
@@ -18,5 +18,10 @@ public record TimeReading(Instant utc, Instant hostClock) implements Serializabl
    */
   public Duration hostOffset() {
     return Duration.between(utc, hostClock);
+  }
+
+  @Override
+  public Instant measured() {
+    return utc;
   }
 }

@@ -5,8 +5,15 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.History;
 import org.dfra.module.Identification;
+import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
@@ -56,5 +63,44 @@ record BenchModule(UUID id, String robot, String name) implements Module, Serial
   @Override
   public Readiness awaitReadiness(Duration patience) {
     return Readiness.READY;
+  }
+
+  @Override
+  public Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) {
+    throw onlyListed();
+  }
+
+  @Override
+  public ModuleLease use(Duration duration) {
+    throw onlyListed();
+  }
+
+  @Override
+  public History history() {
+    return new History(Instant.EPOCH, 1, 0, 0, Duration.ZERO, List.of());
+  }
+
+  @Override
+  public LogLevel logLevel() {
+    return LogLevel.ERROR;
+  }
+
+  @Override
+  public void setLogLevel(LogLevel level) {
+    throw onlyListed();
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of();
+  }
+
+  @Override
+  public void setParameter(String parameter, String text) {
+    throw onlyListed();
+  }
+
+  private static UnsupportedOperationException onlyListed() {
+    return new UnsupportedOperationException("a benchmark's module is listed, but never works");
   }
 }

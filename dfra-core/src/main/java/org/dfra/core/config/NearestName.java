@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.Optional;
 
 /** Finds what somebody most likely meant to write. */
-final class NearestName {
+public final class NearestName {
 
   private NearestName() {}
 
@@ -23,7 +23,7 @@ final class NearestName {
   }
 
   /** {@code ; did you mean "x"?}, or {@code otherwise} where nothing is near. */
-  static String hint(String written, Collection<String> candidates, String otherwise) {
+  public static String hint(String written, Collection<String> candidates, String otherwise) {
     return to(written, candidates)
         .map(nearest -> "; did you mean \"" + nearest + "\"?")
         .orElse(otherwise);

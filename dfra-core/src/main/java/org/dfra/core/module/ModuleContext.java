@@ -2,6 +2,9 @@ package org.dfra.core.module;
 
 import java.time.InstantSource;
 import org.dfra.core.config.Parameters;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.Scheduler;
 
 /**
  * What a driver is given when it is constructed.
@@ -12,6 +15,32 @@ import org.dfra.core.config.Parameters;
  * @param name name of the module, e.g. {@code gps_front}
  * @param parameters what the robot's XML and the module's properties say of it
  * @param clock the time; simulated time where the robot is simulated
+ * @param state what of the module outlives its virtual machine
+ * @param leases what leases the module grants
+ * @param scheduler the time of leases and deliveries, which is real even where the robot is not
  */
 public record ModuleContext(
-    String robot, String name, Parameters parameters, InstantSource clock) {}
+    String robot,
+    String name,
+    Parameters parameters,
+    InstantSource clock,
+    StateStore state,
+    LeaseTerms leases,
+    Scheduler scheduler) {
+
+  /** Of a module that remembers nothing, under the usual terms. */
+  public ModuleContext(String robot, String name, Parameters parameters, InstantSource clock) {
+    this(robot, name, parameters, clock, StateStore.inMemory());
+  }
+
+  /** Of a module under the usual terms. */
+  public ModuleContext(
+      String robot, String name, Parameters parameters, InstantSource clock, StateStore state) {
+    this(robot, name, parameters, clock, state, LeaseTerms.USUAL, Scheduler.system());
+  }
+
+  /** {@code robot/name}. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

@@ -2,18 +2,44 @@ package org.dfra.core.module;
 
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.List;
+import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
+import org.dfra.core.event.DeliveryPool;
+import org.dfra.core.event.EventHub;
+import org.dfra.core.event.ListenerQueue;
+import org.dfra.core.event.Tally;
+import org.dfra.core.history.HistoryBook;
+import org.dfra.core.history.HistoryWriter;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.log.LogLevels;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Reading;
+import org.dfra.event.Subscription;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.History;
 import org.dfra.module.Identification;
+import org.dfra.module.Incident;
+import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Base of every driver: the last of the five classes. It talks to hardware and knows no network.
+ *
+ * <p>A driver says what it has to say by {@link #become}, {@link #tell} and {@link #survived};
+ * events, history and the way to its listeners follow from that. It declares its parameters in
+ * {@link #declared}, and learns by {@link #onClients} whether anybody wants it to work.
  *
  * <p>Lifecycle: the constructor assigns; {@link #start} opens the device or begins to, and returns
  * at once; {@link #close} undoes it. A device that is not there is no exception: the module stays
@@ -25,8 +51,12 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   protected final Logger log;
 
   private final Identification identification;
-  private final Parameters parameters;
+  private final Parameters settings;
   private final InstantSource clock;
+  private final ParameterTable declared;
+  private final EventHub events;
+  private final LeaseBook leases;
+  private final HistoryBook history;
 
   /** Held while {@link #onStart} or {@link #onClose} runs; taken before {@link #lock}. */
   private final ReentrantLock lifecycle = new ReentrantLock();
@@ -36,6 +66,8 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private Readiness readiness = Readiness.CREATED; // guarded by lock
   private boolean started; // guarded by lock
   private boolean closed; // guarded by lock
+  private boolean lapsed; // guarded by lock: it served once, and has not come back since
+  private int clients; // guarded by lock
 
   /**
    * @param context what the driver is given
@@ -46,9 +78,17 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   protected ModuleImpl(ModuleContext context, String description, String author, String version) {
     this.identification =
         new Identification(context.robot(), context.name(), description, author, version);
-    this.parameters = context.parameters();
+    this.settings = context.parameters();
     this.clock = context.clock();
     this.log = LoggerFactory.getLogger("dfra." + context.robot() + "." + context.name());
+    this.declared = new ParameterTable(path(), settings);
+    this.events =
+        new EventHub(path(), clock, context.state(), DeliveryPool.shared(), context.scheduler());
+    this.leases =
+        new LeaseBook(path(), context.leases(), clock, context.scheduler(), this::countedClients);
+    this.history =
+        new HistoryBook(
+            path(), context.state(), clock, context.scheduler(), HistoryWriter.shared(), log);
   }
 
   /**
@@ -64,7 +104,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
       }
       onStart();
     } catch (RuntimeException | Error e) {
-      failIfAlive();
+      failIfAlive("it could not be started: " + e);
       throw e;
     } finally {
       lifecycle.unlock();
@@ -81,9 +121,13 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     if (!end()) {
       return;
     }
+    leases.close();
     lifecycle.lock();
     try {
-      onClose();
+      if (wasStarted()) {
+        onClose();
+        history.flush();
+      }
     } finally {
       lifecycle.unlock();
     }
@@ -100,6 +144,13 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    */
   protected abstract void onClose();
 
+  /**
+   * The number of clients has changed: the first has come, the last has gone, or so. A driver may
+   * rest while there are none. Called in order, by any thread, also before {@link #onStart}; must
+   * not block.
+   */
+  protected void onClients(int number) {}
+
   private boolean begin() {
     lock.lock();
     try {
@@ -107,6 +158,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
         return false;
       }
       started = true;
+      history.begin();
       become(Readiness.INITIALIZING);
       return true;
     } finally {
@@ -114,7 +166,16 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     }
   }
 
-  /** Whether there is anything to undo. */
+  private boolean wasStarted() {
+    lock.lock();
+    try {
+      return started;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether it had not ended before. */
   private boolean end() {
     lock.lock();
     try {
@@ -123,17 +184,20 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
       }
       become(Readiness.STOPPED);
       closed = true;
-      return started;
+      if (started) {
+        note(Incident.Kind.DEACTIVATION, "it was closed");
+      }
+      return true;
     } finally {
       lock.unlock();
     }
   }
 
-  private void failIfAlive() {
+  private void failIfAlive(String why) {
     lock.lock();
     try {
       if (readiness.mayBecome(Readiness.FAILED)) {
-        become(Readiness.FAILED);
+        become(Readiness.FAILED, why);
       }
     } finally {
       lock.unlock();
@@ -179,26 +243,150 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * @throws IllegalStateException if there is no such arrow
    */
   protected final void become(Readiness next) {
+    become(next, "it went from serving to " + next);
+  }
+
+  /**
+   * The same, with the reason, as a clause; it enters the history where the module stops to serve.
+   * A module that becomes {@link Readiness#READY} while it has clients becomes {@link
+   * Readiness#ACTIVE} right after.
+   */
+  protected final void become(Readiness next, String why) {
     lock.lock();
     try {
       if (readiness == next || closed) {
         return;
       }
       if (!readiness.mayBecome(next)) {
-        throw new IllegalStateException(
-            identification.path() + " cannot go from " + readiness + " to " + next);
+        throw new IllegalStateException(path() + " cannot go from " + readiness + " to " + next);
       }
-      log.info("{}: {} -> {}", identification.path(), readiness, next);
+      Readiness last = readiness;
+      log.info("{}: {} -> {}", path(), last, next);
       readiness = next;
       readinessChanged.signalAll();
+      history.serving(next.serves());
+      events.publish(new ModuleEvent.ReadinessChanged(last, next));
+      remember(last, next, why);
+      if (next == Readiness.READY && clients > 0) {
+        become(Readiness.ACTIVE);
+      }
     } finally {
       lock.unlock();
     }
   }
 
+  private void remember(Readiness last, Readiness next, String why) {
+    if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
+      lapsed = true;
+      note(Incident.Kind.FAILURE, why);
+    } else if (lapsed && next.serves()) {
+      lapsed = false;
+      note(Incident.Kind.RECOVERY, "it serves again");
+    }
+  }
+
+  private void note(Incident.Kind kind, String what) {
+    events.publish(new ModuleEvent.IncidentNoted(history.note(kind, what)));
+  }
+
+  /** The driver has caught something and goes on; it enters the history. */
+  protected final void survived(Throwable thrown) {
+    note(Incident.Kind.EXCEPTION, thrown.toString());
+  }
+
+  /** There is a new reading. */
+  protected final void tell(Reading reading) {
+    events.publish(new ModuleEvent.NewReading(reading));
+  }
+
+  private void countedClients(int number) {
+    lock.lock();
+    try {
+      clients = number;
+      if (closed) {
+        return;
+      }
+      if (number > 0 && readiness == Readiness.READY) {
+        become(Readiness.ACTIVE);
+      } else if (number == 0 && readiness == Readiness.ACTIVE) {
+        become(Readiness.READY);
+      }
+    } finally {
+      lock.unlock();
+    }
+    onClients(number);
+  }
+
+  @Override
+  public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) {
+    Tally tally = new Tally(listener);
+    EventHub.Entry entry = events.add(tally, policy, ListenerQueue.NEVER, () -> {});
+    tally.begin(entry.numbers());
+    @Nullable UUID lease;
+    try {
+      lease = leases.hold(holder(policy), () -> {});
+    } catch (LeaseRefusedException e) { // it has ended, and will not tell anything any more
+      lease = null;
+    }
+    @Nullable UUID held = lease;
+    return new LocalSubscription(
+        tally,
+        () -> {
+          events.remove(entry);
+          if (held != null) {
+            boolean unused = leases.cancel(held);
+          }
+        });
+  }
+
+  /** Who listens to readings is a client; who listens to anything else only watches. */
+  public static LeaseBook.Holder holder(DeliveryPolicy policy) {
+    return policy.kinds().contains(DeliveryPolicy.Kind.READING)
+        ? LeaseBook.Holder.CLIENT
+        : LeaseBook.Holder.WATCHER;
+  }
+
+  @Override
+  public final ModuleLease use(Duration duration) throws LeaseRefusedException {
+    leases.terms().check(path(), duration);
+    return new LocalLease(leases, leases.hold(LeaseBook.Holder.CLIENT, () -> {}), duration, clock);
+  }
+
+  @Override
+  public final History history() {
+    return history.history();
+  }
+
+  @Override
+  public final LogLevel logLevel() {
+    return LogLevels.service().level(log.getName());
+  }
+
+  @Override
+  public final void setLogLevel(LogLevel level) {
+    LogLevels.service().set(log.getName(), level);
+  }
+
+  @Override
+  public final List<Parameter> parameters() {
+    return declared.list();
+  }
+
+  @Override
+  public final void setParameter(String name, String text) {
+    String now = declared.set(name, text);
+    log.info("{}: parameter {} is now {}", path(), name, now);
+    events.publish(new ModuleEvent.ParameterChanged(name, now));
+  }
+
+  /** Where the driver declares its parameters. */
+  protected final ParameterTable declared() {
+    return declared;
+  }
+
   /** What the robot's XML and the module's properties say of this module. */
-  protected final Parameters parameters() {
-    return parameters;
+  protected final Parameters settings() {
+    return settings;
   }
 
   /** The time; simulated time where the robot is simulated. */
@@ -206,9 +394,24 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     return clock;
   }
 
+  /** Its listeners, for whoever serves it to the network. */
+  public final EventHub events() {
+    return events;
+  }
+
+  /** Its clients, for whoever serves it to the network. */
+  public final LeaseBook leases() {
+    return leases;
+  }
+
+  /** {@code robot/name}. */
+  protected final String path() {
+    return identification.path();
+  }
+
   /** {@code robot/name (driver class)}. */
   @Override
   public final String toString() {
-    return identification.path() + " (" + getClass().getSimpleName() + ")";
+    return path() + " (" + getClass().getSimpleName() + ")";
   }
 }

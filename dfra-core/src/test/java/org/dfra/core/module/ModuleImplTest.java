@@ -87,7 +87,7 @@ class ModuleImplTest {
         .isEqualTo(new Identification("atrv1", "lamp", "a lamp", "DFRA", "1"));
     assertThat(lamp).hasToString("atrv1/lamp (Lamp)");
     assertThat(lamp.clock().instant()).isEqualTo(Instant.EPOCH);
-    assertThat(lamp.parameters().all()).isEmpty();
+    assertThat(lamp.settings().all()).isEmpty();
   }
 
   @Test

@@ -47,7 +47,9 @@ public final class LinkKeeper implements AutoCloseable {
   private final Condition closing = lock.newCondition();
   private boolean started; // guarded by lock
   private @Nullable SerialLink link; // guarded by lock
+  private boolean hurried; // guarded by lock
   private volatile boolean closed;
+  private volatile String trouble = "it has not been opened yet";
 
   // confined to the reader
   private int failures;
@@ -79,6 +81,35 @@ public final class LinkKeeper implements AutoCloseable {
       if (!started && !closed) {
         started = true;
         reader.start();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether the link is open now. */
+  public boolean isOpen() {
+    lock.lock();
+    try {
+      return link != null && link.isOpen();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Why the link was not open when it was not, as a clause. */
+  public String trouble() {
+    return trouble;
+  }
+
+  /** Closes the link, if it is open, and opens it again at once. Returns before that is done. */
+  public void reopen() {
+    lock.lock();
+    try {
+      hurried = true;
+      closing.signalAll();
+      if (link != null) {
+        link.close();
       }
     } finally {
       lock.unlock();
@@ -175,6 +206,7 @@ public final class LinkKeeper implements AutoCloseable {
       log.warn("{}; trying again until it answers", reason);
     }
     failures++;
+    trouble = reason;
     user.lost(reason);
     pause(backOff.after(failures).toNanos());
   }
@@ -184,13 +216,14 @@ public final class LinkKeeper implements AutoCloseable {
     try {
       long begin = ticker.nanos();
       long left = nanos;
-      while (!closed && left > 0) {
+      while (!closed && !hurried && left > 0) {
         ticker.await(closing, left);
         left = nanos - (ticker.nanos() - begin);
       }
     } catch (InterruptedException e) {
       // closed is set, or somebody else wants us to go on
     } finally {
+      hurried = false;
       lock.unlock();
     }
   }

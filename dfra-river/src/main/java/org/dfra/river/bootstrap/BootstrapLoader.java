@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
@@ -92,14 +93,19 @@ final class BootstrapLoader {
     return new Service(robot + "/registrar", group.name(), register(known, desc));
   }
 
-  /** Registers a module. */
+  /**
+   * Registers a module.
+   *
+   * @param state folder of what of it outlives its virtual machine
+   */
   Service module(
       ActivationGroupID groupId,
       String group,
       ModuleDescription module,
       String host,
       List<String> locators,
-      List<String> lookupGroups)
+      List<String> lookupGroups,
+      Path state)
       throws ActivationException, IOException {
     @Nullable ActivationID known = null;
     UUID identity = UUID.randomUUID();
@@ -118,7 +124,8 @@ final class BootstrapLoader {
             module.serverClass(),
             null,
             new MarshalledObject<>(
-                new ModuleActivation(module, identity, created, host, lookupGroups, locators)),
+                new ModuleActivation(
+                    module, identity, created, host, lookupGroups, locators, state.toString())),
             module.restart());
     return new Service(module.path(), group, register(known, desc));
   }

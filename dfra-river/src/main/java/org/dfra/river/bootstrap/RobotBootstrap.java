@@ -102,7 +102,14 @@ public final class RobotBootstrap {
       for (ModuleDescription module : group.modules()) {
         services.add(
             activate(
-                loader.module(groupId, group.name(), module, host, locators(), multicastGroups()),
+                loader.module(
+                    groupId,
+                    group.name(),
+                    module,
+                    host,
+                    locators(),
+                    multicastGroups(),
+                    state(module)),
                 module.place()));
       }
     }
@@ -130,6 +137,16 @@ public final class RobotBootstrap {
     if (wanted.length > 0) {
       admin.addLookupAttributes(wanted);
     }
+  }
+
+  /** Where the module keeps what outlives its virtual machine. */
+  private Path state(ModuleDescription module) {
+    return phoenix
+        .state()
+        .toAbsolutePath()
+        .resolve("modules")
+        .resolve(robot.name())
+        .resolve(module.name());
   }
 
   private BootstrapLoader loader() {
@@ -173,7 +190,8 @@ public final class RobotBootstrap {
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
     return activate(
-        loader.module(loader.group(home), group, module, host, locators(), multicastGroups()),
+        loader.module(
+            loader.group(home), group, module, host, locators(), multicastGroups(), state(module)),
         module.place());
   }
 
@@ -190,7 +208,8 @@ public final class RobotBootstrap {
     requireOwn(module);
     Optional<ModuleAdmin> running = running(old);
     Service service =
-        loader.module(old.groupId(), old.group(), module, host, locators(), multicastGroups());
+        loader.module(
+            old.groupId(), old.group(), module, host, locators(), multicastGroups(), state(module));
     end(running, ModuleAdmin::deactivate);
     return activate(service, module.place());
   }

@@ -1,18 +1,14 @@
 package org.dfra.river.lease;
 
-import com.sun.jini.landlord.FixedLeasePeriodPolicy;
 import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordUtil;
 import com.sun.jini.landlord.LeaseFactory;
-import com.sun.jini.landlord.LeasePeriodPolicy;
-import com.sun.jini.landlord.LeasedResource;
 import com.sun.jini.landlord.LocalLandlord;
-import java.math.BigDecimal;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Map;
-import java.util.Objects;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.Optional;
+import java.util.UUID;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lease.Lease;
@@ -21,10 +17,16 @@ import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
+import org.dfra.core.lease.Grant;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseBook.Holder;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Grants leases on the use of one module, and counts its clients by them.
+ * Lets the leases of a module's {@link LeaseBook} be held over the network: River's landlord, whose
+ * memory the book is.
  *
  * <p>Entries of component {@value #COMPONENT} in the module's Jini configuration: {@code
  * longestLease} and {@code defaultLease}, in milliseconds.
@@ -34,35 +36,40 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   private static final String COMPONENT = "org.dfra.river.lease";
 
   private final String module;
-  private final long longest;
-  private final LeasePeriodPolicy policy;
+  private final LeaseBook book;
   private final Exporter exporter;
-  private final Map<Uuid, Client> clients = new ConcurrentHashMap<>();
   private volatile @Nullable LeaseFactory factory;
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param configuration the module's Jini configuration
+   * @param book where its leases are written down
    * @param exporter exports the landlord while it is started
+   */
+  public ModuleLandlord(String module, LeaseBook book, Exporter exporter) {
+    this.module = module;
+    this.book = book;
+    this.exporter = exporter;
+  }
+
+  /**
+   * What leases a module's Jini configuration wants to be granted.
+   *
    * @throws ConfigurationException if a lease is set to less than a millisecond, or the usual one
    *     is longer than the longest
    */
-  public ModuleLandlord(String module, Configuration configuration, Exporter exporter)
-      throws ConfigurationException {
-    this.module = module;
-    this.exporter = exporter;
-    this.longest = millis(configuration, "longestLease", Duration.ofSeconds(30));
-    long usual = millis(configuration, "defaultLease", Duration.ofMillis(longest / 3));
+  public static LeaseTerms terms(Configuration configuration) throws ConfigurationException {
+    long longest = millis(configuration, "longestLease", LeaseTerms.USUAL.longest().toMillis());
+    long usual = millis(configuration, "defaultLease", Math.max(1, longest / 3));
     if (usual > longest) {
       throw new ConfigurationException(
           COMPONENT + ": defaultLease " + usual + " ms > longestLease " + longest + " ms");
     }
-    this.policy = new FixedLeasePeriodPolicy(longest, usual);
+    return new LeaseTerms(Duration.ofMillis(longest), Duration.ofMillis(usual));
   }
 
-  private static long millis(Configuration configuration, String entry, Duration fallback)
+  private static long millis(Configuration configuration, String entry, long fallback)
       throws ConfigurationException {
-    long millis = (Long) configuration.getEntry(COMPONENT, entry, long.class, fallback.toMillis());
+    long millis = (Long) configuration.getEntry(COMPONENT, entry, long.class, fallback);
     if (millis < 1) {
       throw new ConfigurationException(COMPONENT + "." + entry + " = " + millis + " ms < 1 ms");
     }
@@ -76,13 +83,12 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     }
   }
 
-  /** Ends every lease. */
+  /** Grants and renews nothing any more. The book stays as it is, and is its owner's to close. */
   @Override
   public void close() {
     if (factory != null) {
       factory = null;
       exporter.unexport(true);
-      clients.clear();
     }
   }
 
@@ -90,69 +96,55 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    * Grants a lease.
    *
    * @param duration how long, in milliseconds; {@link Lease#ANY} for the module's choice
-   * @throws LeaseDeniedException if it is longer than allowed or the landlord is not started
+   * @param whenOver run once when it has expired
+   * @throws LeaseRefusedException if it is longer than allowed, not above zero, or the landlord is
+   *     not started
    */
-  public Lease grant(long duration) throws LeaseDeniedException {
-    check(duration);
+  public Lease grant(long duration, Holder holder, Runnable whenOver) throws LeaseRefusedException {
     @Nullable LeaseFactory open = factory;
     if (open == null) {
-      throw new LeaseDeniedException(module + " grants no leases now; it starts or stops");
+      throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
-    prune();
-    Client client = new Client(UuidFactory.generate());
-    LeasePeriodPolicy.Result granted = policy.grant(client, duration);
-    client.setExpiration(granted.expiration);
-    clients.put(client.getCookie(), client);
-    return open.newLease(client.getCookie(), granted.expiration);
+    Grant granted = book.grant(asked(duration), holder, whenOver);
+    UUID id = granted.id();
+    return open.newLease(
+        UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+        System.currentTimeMillis() + granted.duration().toMillis());
   }
 
-  /** How many clients hold a lease now. */
-  public int clients() {
-    prune();
-    return clients.size();
-  }
-
-  private void prune() {
-    long now = System.currentTimeMillis();
-    clients.values().removeIf(client -> client.getExpiration() <= now);
-  }
-
-  private void check(long duration) throws LeaseDeniedException {
-    if (duration != Lease.ANY && (duration < 1 || duration > longest)) {
-      throw new LeaseDeniedException(
-          module
-              + ": lease "
-              + (duration == Lease.FOREVER ? "for ever" : seconds(duration))
-              + (duration < 1 ? " is not above 0" : " > longest allowed " + seconds(longest))
-              + "; ask for "
-              + seconds(longest)
-              + " or less");
-    }
-  }
-
-  /** 30 s rather than 30.0 s. */
-  private static String seconds(long millis) {
-    return BigDecimal.valueOf(millis, 3).stripTrailingZeros().toPlainString() + " s";
+  private Duration asked(long millis) {
+    return millis == Lease.ANY ? book.terms().usual() : Duration.ofMillis(millis);
   }
 
   @Override
   public long renew(Uuid cookie, long duration) throws LeaseDeniedException, UnknownLeaseException {
-    check(duration);
-    prune();
-    Client client = clients.get(cookie);
-    if (client == null) {
-      throw new UnknownLeaseException(module + " knows no such lease; it has expired");
+    try {
+      Optional<Grant> granted = book.renew(id(cookie), asked(duration));
+      return granted
+          .orElseThrow(() -> new UnknownLeaseException(module + NO_SUCH_LEASE))
+          .duration()
+          .toMillis();
+    } catch (LeaseRefusedException e) {
+      throw new LeaseDeniedException(e.getMessage());
     }
-    LeasePeriodPolicy.Result granted = policy.renew(client, duration);
-    client.setExpiration(granted.expiration);
-    return granted.duration;
   }
 
   @Override
   public void cancel(Uuid cookie) throws UnknownLeaseException {
-    if (clients.remove(Objects.requireNonNull(cookie)) == null) {
-      throw new UnknownLeaseException(module + " knows no such lease; it has expired");
+    if (!book.cancel(id(cookie))) {
+      throw new UnknownLeaseException(module + NO_SUCH_LEASE);
     }
+  }
+
+  private static final String NO_SUCH_LEASE = " knows no such lease; it has expired";
+
+  private static UUID id(Uuid cookie) {
+    return new UUID(cookie.getMostSignificantBits(), cookie.getLeastSignificantBits());
+  }
+
+  /** What a lease is named by in the module's {@link LeaseBook}. */
+  public static UUID id(Lease lease) {
+    return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }
 
   @Override
@@ -164,30 +156,5 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   @SuppressWarnings("rawtypes") // as River declares it
   public @Nullable Map cancelAll(Uuid[] cookies) {
     return LandlordUtil.cancelAll(this, cookies);
-  }
-
-  /** One client, as the landlord's policy sees it. */
-  private static final class Client implements LeasedResource {
-    private final Uuid cookie;
-    private volatile long expiration;
-
-    Client(Uuid cookie) {
-      this.cookie = cookie;
-    }
-
-    @Override
-    public void setExpiration(long next) {
-      expiration = next;
-    }
-
-    @Override
-    public long getExpiration() {
-      return expiration;
-    }
-
-    @Override
-    public Uuid getCookie() {
-      return cookie;
-    }
   }
 }

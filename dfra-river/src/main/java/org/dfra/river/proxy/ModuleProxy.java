@@ -6,11 +6,20 @@ import java.io.ObjectInputStream;
 import java.io.Serializable;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import net.jini.admin.Administrable;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.History;
 import org.dfra.module.Identification;
+import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
@@ -83,6 +92,54 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     }
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Where the module lives elsewhere, the listener is exported at {@link
+   * org.dfra.river.call.CallbackHost}, and stays so until the subscription is closed.
+   */
+  @Override
+  public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    @Nullable Module local = LocalModules.find(id);
+    return local != null
+        ? local.subscribe(listener, policy)
+        : ProxySubscription.open(identification.path(), server, listener, policy);
+  }
+
+  @Override
+  public final ModuleLease use(Duration duration) throws LeaseRefusedException, RemoteException {
+    @Nullable Module local = LocalModules.find(id);
+    return local != null
+        ? local.use(duration)
+        : ProxyLease.open(identification.path(), server, duration);
+  }
+
+  @Override
+  public final History history() throws RemoteException {
+    return target().history();
+  }
+
+  @Override
+  public final LogLevel logLevel() throws RemoteException {
+    return target().logLevel();
+  }
+
+  @Override
+  public final void setLogLevel(LogLevel level) throws RemoteException {
+    target().setLogLevel(level);
+  }
+
+  @Override
+  public final List<Parameter> parameters() throws RemoteException {
+    return target().parameters();
+  }
+
+  @Override
+  public final void setParameter(String name, String text) throws RemoteException {
+    target().setParameter(name, text);
+  }
+
   /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
   @Override
   public final Object getAdmin() throws RemoteException {
@@ -94,7 +151,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     return id;
   }
 
-  /** The server's remote proxy, for what only remote clients need, such as leases. */
+  /** The server's remote proxy, for what only remote clients need. */
   public final RemoteModule server() {
     return server;
   }

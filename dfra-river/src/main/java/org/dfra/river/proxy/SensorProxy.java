@@ -1,19 +1,34 @@
 package org.dfra.river.proxy;
 
 import java.rmi.RemoteException;
+import java.util.List;
 import java.util.UUID;
 import org.dfra.flow.sensor.Sensor;
+import org.dfra.geometry.Transform;
+import org.dfra.module.Diagnosis;
 import org.dfra.module.Identification;
+import org.dfra.module.Precondition;
+import org.dfra.river.remote.RemoteExamination;
+import org.dfra.river.remote.RemoteExamination.Sort;
 import org.dfra.river.remote.RemoteModule;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Smart proxy of a sensor.
+ * Smart proxy of a sensor. What is constant about it is asked for once and kept here; a module that
+ * was replaced by a newer version gets a new proxy.
  *
  * @param <S> the sensor's interface
  */
 public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> implements Sensor {
 
   private static final long serialVersionUID = 1L;
+
+  // What a driver's class decides is constant, and is asked for once.
+  private final Cached<List<Precondition>> preconditions = new Cached<>();
+  private final Cached<List<String>> tests = new Cached<>();
+  private final Cached<List<String>> recoveries = new Cached<>();
+  private final Cached<List<String>> inputTypes = new Cached<>();
+  private final Cached<List<String>> outputTypes = new Cached<>();
 
   /** See {@link ModuleProxy#ModuleProxy}. */
   protected SensorProxy(
@@ -24,5 +39,93 @@ public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> imple
   @Override
   public final double updateRate() throws RemoteException {
     return target().updateRate();
+  }
+
+  @Override
+  public final String frame() {
+    return identification().path();
+  }
+
+  @Override
+  public final String parentFrame() throws RemoteException {
+    return target().parentFrame();
+  }
+
+  @Override
+  public final Transform localTransform() throws RemoteException {
+    return target().localTransform();
+  }
+
+  @Override
+  public final List<Precondition> preconditions() throws RemoteException {
+    return preconditions.get(target()::preconditions);
+  }
+
+  @Override
+  public final List<String> tests() throws RemoteException {
+    return tests.get(target()::tests);
+  }
+
+  @Override
+  public final Diagnosis test(String name) throws RemoteException {
+    S target = target();
+    return target instanceof RemoteExamination remote
+        ? examine(remote, Sort.TEST, name)
+        : target.test(name);
+  }
+
+  @Override
+  public final List<String> recoveries() throws RemoteException {
+    return recoveries.get(target()::recoveries);
+  }
+
+  @Override
+  public final Diagnosis recover(String name) throws RemoteException {
+    S target = target();
+    return target instanceof RemoteExamination remote
+        ? examine(remote, Sort.RECOVERY, name)
+        : target.recover(name);
+  }
+
+  /** Hardware takes longer than a call may, so it is begun in one call and awaited in others. */
+  private static Diagnosis examine(RemoteExamination remote, Sort sort, String name)
+      throws RemoteException {
+    UUID run = remote.beginExamination(sort, name);
+    while (true) {
+      @Nullable Diagnosis found = remote.examination(run);
+      if (found != null) {
+        return found;
+      }
+    }
+  }
+
+  @Override
+  public final List<String> inputTypes() throws RemoteException {
+    return inputTypes.get(target()::inputTypes);
+  }
+
+  @Override
+  public final List<String> outputTypes() throws RemoteException {
+    return outputTypes.get(target()::outputTypes);
+  }
+
+  @Override
+  public final List<String> inputs() throws RemoteException {
+    return target().inputs();
+  }
+
+  @Override
+  public final List<String> outputs() throws RemoteException {
+    return target().outputs();
+  }
+
+  @Override
+  public final void setInputs(List<String> modules) throws RemoteException {
+    target().setInputs(modules);
+  }
+
+  @Override
+  public final void setOutputs(List<String> modules) throws RemoteException {
+    target().setOutputs(modules);
   }
 }

@@ -4,8 +4,11 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import net.jini.admin.Administrable;
-import net.jini.core.lease.Lease;
-import net.jini.core.lease.LeaseDeniedException;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.ModuleLease;
 import org.dfra.module.Idempotent;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
@@ -26,11 +29,20 @@ public interface RemoteModule extends Module, Remote, Administrable {
   Readiness awaitReadiness(Duration patience) throws RemoteException;
 
   /**
-   * Counts the caller as a client of the module for a while.
+   * Registers a listener under a lease. One that is registered already is registered anew.
    *
-   * @param duration how long, in milliseconds
-   * @return the lease, which can be renewed and cancelled
-   * @throws LeaseDeniedException if {@code duration} is longer than the module allows
+   * @param listener a {@link RemoteModuleListener}
+   * @return a {@link LeasedSubscription}
+   * @throws IllegalArgumentException if the listener is not remote
    */
-  Lease use(long duration) throws LeaseDeniedException, RemoteException;
+  @Override
+  Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) throws RemoteException;
+
+  /**
+   * {@inheritDoc}
+   *
+   * @return a {@link LeasedUse}
+   */
+  @Override
+  ModuleLease use(Duration duration) throws LeaseRefusedException, RemoteException;
 }

@@ -3,6 +3,7 @@ package org.dfra.river.server;
 import java.rmi.activation.ActivationID;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
+import net.jini.jrmp.JrmpExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.ResurrectingExporter;
@@ -36,6 +37,19 @@ public final class Exporters {
   public static Exporter jeri(String host, long deadlineMillis) {
     return new BasicJeriExporter(
         Endpoints.tcp(host, 0), new DeadlineILFactory(deadlineMillis), false, true);
+  }
+
+  /**
+   * JRMP, the protocol of plain Java RMI, instead of JERI, for clients that have nothing else: on
+   * one address, with the deadline as the longest silence. The proxy of an activatable server
+   * brings it back.
+   *
+   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   */
+  public static Exporter jrmp(ServerSettings settings, long deadlineMillis) {
+    JrmpSockets sockets = new JrmpSockets(settings.host(), Math.toIntExact(deadlineMillis));
+    Exporter plain = new JrmpCallsExporter(new JrmpExporter(0, sockets, sockets));
+    return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }
 
   /**

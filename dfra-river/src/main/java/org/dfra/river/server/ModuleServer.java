@@ -2,6 +2,7 @@ package org.dfra.river.server;
 
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
@@ -12,27 +13,39 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.List;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationProvider;
 import net.jini.config.EmptyConfiguration;
-import net.jini.core.lease.Lease;
-import net.jini.core.lease.LeaseDeniedException;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.directory.SelfDescription;
+import org.dfra.core.lease.LeaseBook.Holder;
+import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.Scheduler;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.History;
 import org.dfra.module.Identification;
+import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
 import org.jspecify.annotations.Nullable;
@@ -40,8 +53,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Activatable server of a module: it makes the driver and serves it to the network.
  *
- * <p>Constructing is starting, as the activation system demands: the six steps run in the
- * constructor, and if one fails, those before it are undone. {@link #close} undoes all of them.
+ * <p>Constructing is starting, as the activation system demands: the steps run in the constructor,
+ * and if one fails, those before it are undone. {@link #close} undoes all of them.
  *
  * @param <M> the module's interface
  */
@@ -57,6 +70,7 @@ public abstract class ModuleServer<M extends Module>
   private final M module;
   private final Remote remote;
   private final ModuleLandlord landlord;
+  private final RemoteListeners listeners;
   private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
 
@@ -81,18 +95,22 @@ public abstract class ModuleServer<M extends Module>
       Configuration configuration = configuration(description);
 
       // Step 3: the driver.
-      ModuleImpl driver = driver(description, kind);
+      ModuleImpl driver =
+          driver(context(activation, ModuleLandlord.terms(configuration)), description, kind);
       undo.push(driver);
       this.module = kind.cast(driver);
       driver.start();
       LocalModules.enter(activation.id(), driver);
       undo.push(() -> LocalModules.leave(activation.id(), driver));
 
-      // Step 4: the proxy.
+      // Step 4: the proxy, and before it the landlord, since clients may come at once.
       Exporter exporter = exporter(configuration, new ServerSettings(id, activation.host()));
       this.landlord =
           new ModuleLandlord(
-              path, configuration, Exporters.jeri(activation.host(), DEADLINE_MILLIS));
+              path, driver.leases(), Exporters.jeri(activation.host(), DEADLINE_MILLIS));
+      this.listeners = new RemoteListeners(driver, landlord);
+      landlord.start();
+      undo.push(landlord);
       this.remote = exporter.export(this);
       undo.push(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
@@ -106,7 +124,7 @@ public abstract class ModuleServer<M extends Module>
                   activation.host(),
                   activation.created(),
                   Instant.now(),
-                  landlord::clients),
+                  driver.leases()::clients),
               proxy,
               activation,
               configuration);
@@ -114,10 +132,6 @@ public abstract class ModuleServer<M extends Module>
       this.administration =
           new ModuleAdministration(presence, activation.host(), id, exporter, this);
       undo.push(administration);
-
-      // Step 6: the landlord.
-      landlord.start();
-      undo.push(landlord);
     } catch (Exception e) {
       ConfigurationException fault = placed(description, e);
       undoAll(fault);
@@ -135,7 +149,21 @@ public abstract class ModuleServer<M extends Module>
         : ConfigurationProvider.getInstance(new String[] {description.configuration()});
   }
 
-  private static ModuleImpl driver(ModuleDescription description, Class<?> kind) {
+  private static ModuleContext context(ModuleActivation activation, LeaseTerms terms) {
+    ModuleDescription description = activation.module();
+    @Nullable String folder = activation.state();
+    return new ModuleContext(
+        description.robot(),
+        description.name(),
+        description.parameters(),
+        InstantSource.system(),
+        folder == null ? StateStore.inMemory() : StateStore.in(Path.of(folder)),
+        terms,
+        Scheduler.system());
+  }
+
+  private static ModuleImpl driver(
+      ModuleContext context, ModuleDescription description, Class<?> kind) {
     Class<?> type = load(description, "driver", description.driverClass());
     if (!ModuleImpl.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
       throw fault(
@@ -144,16 +172,7 @@ public abstract class ModuleServer<M extends Module>
           null);
     }
     return (ModuleImpl)
-        construct(
-            description,
-            "driver",
-            type,
-            new Class<?>[] {ModuleContext.class},
-            new ModuleContext(
-                description.robot(),
-                description.name(),
-                description.parameters(),
-                InstantSource.system()));
+        construct(description, "driver", type, new Class<?>[] {ModuleContext.class}, context);
   }
 
   private static ModuleProxy<?> proxy(
@@ -304,6 +323,11 @@ public abstract class ModuleServer<M extends Module>
     }
   }
 
+  /** The module's path, {@code robot/name}. */
+  protected final String path() {
+    return path;
+  }
+
   /** The driver, by the module's interface. */
   protected final M module() {
     return module;
@@ -336,8 +360,38 @@ public abstract class ModuleServer<M extends Module>
   }
 
   @Override
-  public final Lease use(long duration) throws LeaseDeniedException {
-    return landlord.grant(duration);
+  public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) {
+    return listeners.add(listener, policy);
+  }
+
+  @Override
+  public final ModuleLease use(Duration duration) throws LeaseRefusedException {
+    return new LeasedUse(landlord.grant(duration.toMillis(), Holder.CLIENT, () -> {}));
+  }
+
+  @Override
+  public final History history() throws RemoteException {
+    return module.history();
+  }
+
+  @Override
+  public final LogLevel logLevel() throws RemoteException {
+    return module.logLevel();
+  }
+
+  @Override
+  public final void setLogLevel(LogLevel level) throws RemoteException {
+    module.setLogLevel(level);
+  }
+
+  @Override
+  public final List<Parameter> parameters() throws RemoteException {
+    return module.parameters();
+  }
+
+  @Override
+  public final void setParameter(String name, String text) throws RemoteException {
+    module.setParameter(name, text);
   }
 
   @Override

@@ -3,8 +3,8 @@
  *
  * <pre>
  *   (ActivationID, MarshalledObject) --&gt; ModuleServer
- *        1 constructed   2 properties read   3 driver class loaded   4 proxy made
- *        5 discovery and join   6 landlord started
+ *        1 constructed   2 properties read   3 driver class loaded   4 landlord and proxy
+ *        5 discovery and join
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.server.ModuleServer}; {@link org.dfra.river.server.GPSServer}

@@ -20,7 +20,8 @@ final class M12CommandReader {
   }
 
   /** Total lengths of the commands that are known. */
-  private static final Map<String, Integer> LENGTHS = Map.of("Ha", 8, "Ea", 8, "Aw", 8, "Cj", 7);
+  private static final Map<String, Integer> LENGTHS =
+      Map.of("Ha", 8, "Ea", 8, "Aw", 8, "Cj", 7, "Cf", 7);
 
   private final Sink sink;
   private final byte[] window = new byte[8];

@@ -10,9 +10,10 @@ import org.jspecify.annotations.Nullable;
  * thread and reads no clock; confined to one thread, which says what time it is.
  *
  * <p>Commands: {@code @@Ha} and {@code @@Ea} with a rate byte (0 once, n at once and every n
- * seconds), {@code @@Cj} (identification), {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks).
- * Everything else, and every damaged command, is ignored. The settings outlive a client, as those
- * of a receiver outlive the computer on its line.
+ * seconds), {@code @@Cj} (identification), {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks),
+ * {@code @@Cf} (defaults: sends nothing by itself any more). Everything else, and every damaged
+ * command, is ignored. The settings outlive a client, as those of a receiver outlive the computer
+ * on its line.
  */
 public final class M12Device {
 
@@ -84,6 +85,12 @@ public final class M12Device {
       }
       case "Cj" -> line.send(M12Frames.identification(), now);
       case "Aw" -> setTimeScale(argument);
+      case "Cf" -> {
+        position12.set(0, now);
+        position8.set(0, now);
+        tellsUtc = true;
+        line.send(M12Frames.frame("Cf", new byte[0]), now);
+      }
       default -> {
         // the receiver ignores what it does not know
       }

@@ -3,9 +3,8 @@ package org.dfra.drivers.gps.m12;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.LocationReading;
-import org.dfra.module.Identification;
+import org.dfra.geometry.Transform;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.GpsReceiverAttributes;
@@ -23,8 +22,6 @@ final class M12Attributes {
   /** Or until it is this old, whichever comes first. */
   private static final Duration OLD = Duration.ofSeconds(30);
 
-  private static final double FARTHEST_MOUNT = 100;
-
   private static final ChainAttributes CHAIN =
       new ChainAttributes(List.of(), List.of("GpsFix", "LocationReading", "TimeReading"));
 
@@ -38,35 +35,33 @@ final class M12Attributes {
           null,
           List.of("The antenna sees the open sky."));
 
-  private final PoseAttributes pose;
   private @Nullable LocationAttributes told; // guarded by this
-
-  M12Attributes(Identification who, Parameters parameters) {
-    this.pose =
-        new PoseAttributes(
-            who.path(),
-            who.robot() + "/base_link",
-            mount(parameters, "mount_x"),
-            mount(parameters, "mount_y"),
-            mount(parameters, "mount_z"),
-            0,
-            0,
-            0);
-  }
-
-  private static double mount(Parameters parameters, String name) {
-    return parameters.number(name, 0, -FARTHEST_MOUNT, FARTHEST_MOUNT);
-  }
 
   /**
    * @param receiver what the receiver said it is, if it has
    * @param channels how many satellites it can follow, if that is known
    * @param location where it is, if it knows
+   * @param frame the antenna's frame
+   * @param parent the frame it is mounted in
+   * @param mount where it is mounted there
    */
   List<Attributes> all(
       @Nullable ReceiverIdentification receiver,
       @Nullable Integer channels,
-      @Nullable LocationReading location) {
+      @Nullable LocationReading location,
+      String frame,
+      String parent,
+      Transform mount) {
+    PoseAttributes pose =
+        new PoseAttributes(
+            frame,
+            parent,
+            mount.x(),
+            mount.y(),
+            mount.z(),
+            mount.roll(),
+            mount.pitch(),
+            mount.yaw());
     List<Attributes> all =
         new ArrayList<>(List.of(CHAIN, SENSOR, pose, device(receiver, channels)));
     @Nullable LocationAttributes where = location(location);

@@ -28,6 +28,11 @@ public final class M12Commands {
     return encode("Cj");
   }
 
+  /** {@code @@Cf}: be as when it left the factory, sending nothing. Answered by the same. */
+  public static byte[] defaults() {
+    return encode("Cf");
+  }
+
   /** {@code @@Aw}: tell time as UTC (1), not as GPS time (0). */
   public static byte[] utcTime() {
     return encode("Aw", 1);

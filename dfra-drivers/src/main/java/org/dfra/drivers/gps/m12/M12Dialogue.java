@@ -2,6 +2,7 @@ package org.dfra.drivers.gps.m12;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.dfra.drivers.link.LinkUser;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
@@ -27,6 +28,12 @@ final class M12Dialogue implements LinkUser {
     /** A solution, with a position or without. */
     void solved(M12PositionMessage message);
 
+    /** The receiver has set itself to its defaults. */
+    void defaulted();
+
+    /** The link is open. */
+    void opened();
+
     /** What the receiver is. */
     void identified(ReceiverIdentification identification);
 
@@ -43,13 +50,17 @@ final class M12Dialogue implements LinkUser {
 
   private static final int PATIENCE_SECONDS = 2;
 
-  private final int rate;
-  private final Duration silence;
+  private final M12Rate rate;
   private final Ticker ticker;
   private final Logger log;
   private final Listener listener;
   private final M12Parser parser = new M12Parser(this::heard);
 
+  /** What others want to be sent; sent by the reader, which alone has the link. */
+  private final ConcurrentLinkedQueue<byte[]> outbox = new ConcurrentLinkedQueue<>();
+
+  private int toldRate;
+  private boolean toBeTold;
   private long openedNanos;
   private long solvedNanos;
   private long positionNanos;
@@ -59,12 +70,11 @@ final class M12Dialogue implements LinkUser {
   private String state = "";
 
   /**
-   * @param rate seconds between position frames
-   * @param silence how long without a position frame until the receiver is taken for lost
+   * @param rate how often positions are wanted, and how long without one the receiver is taken for
+   *     lost
    */
-  M12Dialogue(int rate, Duration silence, Ticker ticker, Logger log, Listener listener) {
+  M12Dialogue(M12Rate rate, Ticker ticker, Logger log, Listener listener) {
     this.rate = rate;
-    this.silence = silence;
     this.ticker = ticker;
     this.log = log;
     this.listener = listener;
@@ -80,9 +90,22 @@ final class M12Dialogue implements LinkUser {
     toldMalformed = false;
     state = link + " is open, no position frame has come yet";
     listener.withoutPosition(state);
+    outbox.clear();
+    listener.opened();
+    begin(link);
+  }
+
+  private void begin(SerialLink link) throws IOException {
+    toBeTold = false;
     link.write(M12Commands.identification());
     link.write(M12Commands.utcTime());
-    link.write(M12Commands.positionOf12Channels(rate));
+    toldRate = rate.now();
+    link.write(M12Commands.positionOf12Channels(toldRate));
+  }
+
+  /** Has a command sent soon; from any thread. Forgotten when the link is opened anew first. */
+  void send(byte[] command) {
+    outbox.add(command);
   }
 
   @Override
@@ -96,7 +119,17 @@ final class M12Dialogue implements LinkUser {
 
   @Override
   public @Nullable String tend(SerialLink link) throws IOException {
+    for (byte[] command = outbox.poll(); command != null; command = outbox.poll()) {
+      link.write(command);
+    }
+    if (toBeTold) {
+      begin(link);
+      asked8Channels = false;
+      openedNanos = ticker.nanos();
+    }
+    tellRate(link);
     long now = ticker.nanos();
+    Duration silence = rate.longestAge();
     if (now - solvedNanos > silence.toNanos()) {
       return "no position frame for " + silence.toSeconds() + " s";
     }
@@ -110,9 +143,20 @@ final class M12Dialogue implements LinkUser {
         && !asked8Channels
         && now - openedNanos > Duration.ofSeconds(PATIENCE_SECONDS).toNanos()) {
       asked8Channels = true;
-      link.write(M12Commands.positionOf8Channels(rate));
+      link.write(M12Commands.positionOf8Channels(toldRate));
     }
     return null;
+  }
+
+  private void tellRate(SerialLink link) throws IOException {
+    int wanted = rate.now();
+    if (wanted != toldRate) {
+      toldRate = wanted;
+      link.write(M12Commands.positionOf12Channels(wanted));
+      if (asked8Channels) {
+        link.write(M12Commands.positionOf8Channels(wanted));
+      }
+    }
   }
 
   @Override
@@ -132,6 +176,9 @@ final class M12Dialogue implements LinkUser {
       }
     } else if (message instanceof ReceiverIdentification identification) {
       listener.identified(identification);
+    } else if (message instanceof OtherMessage other && other.id().equals("Cf")) {
+      toBeTold = true; // it sends nothing any more
+      listener.defaulted();
     } else if (message instanceof MalformedMessage malformed) {
       if (toldMalformed) {
         log.debug("malformed @@{}: {}", malformed.id(), malformed.reason());
@@ -147,6 +194,9 @@ final class M12Dialogue implements LinkUser {
 
   private void solved(M12PositionMessage message) {
     solvedNanos = ticker.nanos();
+    if (toldRate == rate.now()) {
+      rate.arrived();
+    }
     state = "the receiver has no position, it is " + message.stateInWords();
     if (message.mode() != GpsFix.Mode.NONE) {
       positionNanos = solvedNanos;

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable.Range;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.link.BackOff;
 import org.dfra.drivers.link.LinkAddress;
@@ -31,12 +32,17 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code link}: where the receiver is, a {@link LinkAddress}, e.g. {@code
  *       serial:/dev/ttyS0?baud=9600}; required
  *   <li>{@code rate}: seconds from one position to the next, a whole number from 1 to 255; default
- *       1
+ *       1; can be set while it runs
+ *   <li>{@code idle_rate}: the same while the last client is gone, not less than {@code rate};
+ *       default 10; can be set while it runs
  *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
  *       again, at first and at most; default 0.5 and 8
- *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: metres from the robot's {@code
- *       base_link} to the antenna, forward, left and up; default 0
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: where the antenna is, see {@link
+ *       SensorImpl}
  * </ul>
+ *
+ * <p>A receiver that has had no client yet works at {@code rate}, so that it is warm when the first
+ * one comes. What it can be examined for is in {@link M12Examination}.
  *
  * <p>INITIALIZING until the first position, and again when the link is lost, when no position frame
  * came for three periods and 2 s (then the link is opened anew), or when none of them had a
@@ -66,8 +72,11 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
       boolean knowsUtc,
       long positionNanos) {}
 
-  private final int rate;
-  private final Duration longestAge;
+  /** Seconds; the receiver takes no more. */
+  private static final int LONGEST_PERIOD = 255;
+
+  private final M12Rate rate;
+  private final M12Heard heard;
   private final Ticker ticker;
   private final LinkKeeper keeper;
   private final M12Attributes attributes;
@@ -75,6 +84,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
   // written by the reader, read by anyone
   private volatile @Nullable Snapshot snapshot;
   private volatile @Nullable ReceiverIdentification receiver;
+  private volatile @Nullable ReceiverStatus status;
   private volatile @Nullable Integer channels;
   private volatile M12Counts counts = M12Counts.ZERO;
   private volatile String awaits = "it has not been started";
@@ -92,20 +102,55 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
    * @param source opens the link; null to go by the parameter {@code link}
    */
   M12PlusImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
-    super(context, "Motorola Oncore M12+ GPS receiver", "DFRA", "1.0");
-    LinkAddress address = addressIn(parameters());
+    super(
+        context,
+        "Motorola Oncore M12+ GPS receiver",
+        "DFRA",
+        "1.0",
+        List.of("GpsFix"),
+        M12Examination.PRECONDITIONS);
+    LinkAddress address = addressIn(settings());
     this.ticker = ticker;
-    this.rate = rateIn(parameters());
-    this.attributes = new M12Attributes(identification(), parameters());
-    this.longestAge = Duration.ofSeconds(3L * rate + 2);
+    this.rate =
+        new M12Rate(secondsIn(settings(), "rate", 1), secondsIn(settings(), "idle_rate", 10));
+    this.heard = new M12Heard(ticker);
+    this.attributes = new M12Attributes();
+    M12Dialogue dialogue = new M12Dialogue(rate, ticker, log, new Reader());
     this.keeper =
         new LinkKeeper(
             context.name(),
             source == null ? () -> address.open(ticker) : source,
-            new M12Dialogue(rate, longestAge, ticker, log, new Reader()),
-            backOffIn(parameters()),
+            dialogue,
+            backOffIn(settings()),
             ticker,
             log);
+    declareParameters();
+    new M12Examination(
+            keeper, dialogue, heard, rate, () -> Optional.ofNullable(status), this::receiver)
+        .declareIn(examinations());
+  }
+
+  private void declareParameters() {
+    Range seconds = Range.whole(1, LONGEST_PERIOD, "s");
+    declared()
+        .number(
+            "rate",
+            "from one position to the next",
+            seconds,
+            rate::working,
+            value -> rate.setWorking((int) value));
+    declared()
+        .number(
+            "idle_rate",
+            "from one position to the next when the last client has gone",
+            seconds,
+            rate::idle,
+            value -> rate.setIdle((int) value));
+  }
+
+  @Override
+  protected void onClients(int number) {
+    rate.rest(number == 0);
   }
 
   @Override
@@ -121,10 +166,10 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
     snapshot = null;
   }
 
-  /** {@inheritDoc} As set by {@code rate}. */
+  /** {@inheritDoc} As set by {@code rate}, or {@code idle_rate} when the last client has gone. */
   @Override
   public double updateRate() {
-    return 1.0 / rate;
+    return 1.0 / rate.now();
   }
 
   /**
@@ -176,7 +221,13 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
   @Override
   public List<Attributes> attributes() {
     @Nullable Snapshot current = readiness().serves() ? snapshot : null;
-    return attributes.all(receiver, channels, current == null ? null : current.location());
+    return attributes.all(
+        receiver,
+        channels,
+        current == null ? null : current.location(),
+        frame(),
+        parentFrame(),
+        localTransform());
   }
 
   /** What has come over the link since the module was started, all openings together. */
@@ -190,6 +241,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
     if (current == null || !readiness.serves()) {
       throw new NotReadyException(identification().path(), readiness, awaits);
     }
+    Duration longestAge = rate.longestAge();
     long age = ticker.nanos() - current.positionNanos();
     if (age > longestAge.toNanos()) {
       throw new NotReadyException(
@@ -209,6 +261,10 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
 
     @Override
     public void solved(M12PositionMessage message) {
+      heard.count(M12Heard.Sort.SOLUTION);
+      if (message instanceof Position12Channels position) {
+        status = position.status();
+      }
       Instant now = clock().instant();
       channels = message.channels().size();
       GpsFix fix = message.toFix();
@@ -221,13 +277,28 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
                 new TimeReading(fix.utc(), now),
                 message.knowsUtc(),
                 ticker.nanos());
-        move(Readiness.INITIALIZING, Readiness.READY);
+        if (readiness() == Readiness.INITIALIZING) {
+          become(Readiness.READY);
+        }
+        tell(fix);
       } else if (last != null) {
         snapshot =
             new Snapshot(fix, last.location(), last.time(), last.knowsUtc(), last.positionNanos());
+        tell(fix);
       } else {
         awaits = "the receiver has no position yet, it is " + message.stateInWords();
       }
+    }
+
+    @Override
+    public void defaulted() {
+      heard.count(M12Heard.Sort.DEFAULTS);
+    }
+
+    @Override
+    public void opened() {
+      status = null;
+      heard.count(M12Heard.Sort.OPENING);
     }
 
     @Override
@@ -236,6 +307,7 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
         receiver = identification;
         log.info("{}: {}", identification().path(), identification);
       }
+      heard.count(M12Heard.Sort.IDENTIFICATION);
     }
 
     @Override
@@ -247,23 +319,9 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
     public void withoutPosition(String reason) {
       awaits = reason;
       if (readiness().serves()) {
-        move(readiness(), Readiness.INITIALIZING);
+        become(Readiness.INITIALIZING, reason);
       }
       snapshot = null;
-    }
-  }
-
-  /** Moves along an arrow if the module is at its beginning, unless it is being closed. */
-  private void move(Readiness from, Readiness to) {
-    if (readiness() != from) {
-      return;
-    }
-    try {
-      become(to);
-    } catch (IllegalStateException e) {
-      if (readiness() != Readiness.STOPPED) {
-        throw e;
-      }
     }
   }
 
@@ -275,12 +333,12 @@ public final class M12PlusImpl extends SensorImpl implements GPSSensor, Describe
     }
   }
 
-  private static int rateIn(Parameters parameters) {
-    double rate = parameters.number("rate", 1, 1, 255);
-    if (rate != Math.rint(rate)) {
-      throw parameters.fault("rate", "a whole number of seconds", null);
+  private static int secondsIn(Parameters parameters, String name, int fallback) {
+    double seconds = parameters.number(name, fallback, 1, LONGEST_PERIOD);
+    if (seconds != Math.rint(seconds)) {
+      throw parameters.fault(name, "a whole number of seconds", null);
     }
-    return (int) rate;
+    return (int) seconds;
   }
 
   private static BackOff backOffIn(Parameters parameters) {

@@ -1,0 +1,21 @@
+package org.dfra.event;
+
+import java.io.Serializable;
+import org.dfra.module.Incident;
+import org.dfra.module.Readiness;
+
+/** What a module can tell. */
+public sealed interface ModuleEvent extends Serializable {
+
+  /** The module moved along an arrow of {@link Readiness}. */
+  record ReadinessChanged(Readiness from, Readiness to) implements ModuleEvent {}
+
+  /** The module has a new reading; its type is the one that the module's interface returns. */
+  record NewReading(Reading reading) implements ModuleEvent {}
+
+  /** A parameter was set. */
+  record ParameterChanged(String name, String text) implements ModuleEvent {}
+
+  /** Something entered the module's history. */
+  record IncidentNoted(Incident incident) implements ModuleEvent {}
+}

@@ -1,0 +1,17 @@
+package org.dfra.module;
+
+import java.io.Serializable;
+import java.time.Duration;
+import java.time.Instant;
+
+/**
+ * What a test or a recovery found.
+ *
+ * @param name the test's or recovery method's name
+ * @param passed whether all was well at its end
+ * @param finding what it found, a sentence
+ * @param when when it began
+ * @param took how long it took
+ */
+public record Diagnosis(String name, boolean passed, String finding, Instant when, Duration took)
+    implements Serializable {}

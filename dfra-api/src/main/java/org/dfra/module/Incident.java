@@ -1,0 +1,28 @@
+package org.dfra.module;
+
+import java.io.Serializable;
+import java.time.Instant;
+
+/**
+ * Something worth remembering in a module's life.
+ *
+ * @param when when it happened, by the module's clock
+ * @param kind what sort of thing
+ * @param what what happened, a sentence
+ */
+public record Incident(Instant when, Kind kind, String what) implements Serializable {
+
+  /** Sorts of incidents. */
+  public enum Kind {
+    /** The module began to work. */
+    ACTIVATION,
+    /** The module could not serve any more. */
+    FAILURE,
+    /** Something was thrown that the module survived. */
+    EXCEPTION,
+    /** The module served again. */
+    RECOVERY,
+    /** The module ended as it should. */
+    DEACTIVATION
+  }
+}

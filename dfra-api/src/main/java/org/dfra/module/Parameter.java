@@ -1,0 +1,14 @@
+package org.dfra.module;
+
+import java.io.Serializable;
+
+/**
+ * A parameter of a module as it is set now.
+ *
+ * @param name its name, in lower_snake_case
+ * @param text its value
+ * @param meaning what it means, with unit and range, for people
+ * @param settable whether it can be set while the module runs
+ */
+public record Parameter(String name, String text, String meaning, boolean settable)
+    implements Serializable {}

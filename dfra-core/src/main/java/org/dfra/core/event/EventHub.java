@@ -1,0 +1,102 @@
+package org.dfra.core.event;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.Scheduler;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+
+/**
+ * Takes a module's events and hands them to everybody who listens. Publishing never waits for a
+ * listener and allocates one {@link Delivery}, which all listeners share.
+ */
+public final class EventHub {
+
+  private final String module;
+  private final InstantSource clock;
+  private final DeliveryPool pool;
+  private final Scheduler scheduler;
+  private final EventNumbers numbers; // guarded by this
+  private final List<Entry> entries = new CopyOnWriteArrayList<>();
+
+  /**
+   * @param module the module's path, {@code robot/name}
+   * @param clock stamps the events
+   * @param state keeps their numbers
+   */
+  public EventHub(
+      String module,
+      InstantSource clock,
+      StateStore state,
+      DeliveryPool pool,
+      Scheduler scheduler) {
+    this.module = module;
+    this.clock = clock;
+    this.numbers = new EventNumbers(state, clock);
+    this.pool = pool;
+    this.scheduler = scheduler;
+  }
+
+  /**
+   * One listener's place here.
+   *
+   * @param epoch the module's epoch when it began to listen
+   * @param numbers the last number of each kind of event by then, by ordinal
+   */
+  public record Entry(ModuleListener listener, ListenerQueue queue, long epoch, long[] numbers) {}
+
+  /**
+   * Adds a listener. Every event published from now on is offered to it.
+   *
+   * @param failuresAllowed after so many failures in a row it is removed; {@link
+   *     ListenerQueue#NEVER} for a listener in this virtual machine
+   * @param whenGivenUp run once when that happens
+   */
+  public Entry add(
+      ModuleListener listener, DeliveryPolicy policy, int failuresAllowed, Runnable whenGivenUp) {
+    ListenerQueue queue =
+        new ListenerQueue(
+            listener,
+            policy,
+            failuresAllowed,
+            () -> {
+              entries.removeIf(entry -> !entry.queue().isOpen());
+              whenGivenUp.run();
+            },
+            pool,
+            scheduler);
+    synchronized (this) {
+      Entry entry = new Entry(listener, queue, numbers.epoch(), numbers.last());
+      entries.add(entry);
+      return entry;
+    }
+  }
+
+  /** Removes a listener. */
+  public void remove(Entry entry) {
+    entries.remove(entry);
+    entry.queue().close();
+  }
+
+  /** Those who listen. */
+  public List<Entry> entries() {
+    return List.copyOf(entries);
+  }
+
+  /** Numbers an event and offers it to everybody who listens. */
+  public void publish(ModuleEvent event) {
+    synchronized (this) { // held while offering too, so that everybody sees the same order
+      Delivery delivery =
+          new Delivery(
+              module, numbers.epoch(), numbers.next(Kind.of(event)), 0, clock.instant(), event);
+      for (Entry entry : entries) {
+        entry.queue().offer(delivery);
+      }
+    }
+  }
+}

@@ -1,0 +1,5 @@
+/** What modules remember of their lives. Enter at {@link org.dfra.core.history.HistoryBook}. */
+@NullMarked
+package org.dfra.core.history;
+
+import org.jspecify.annotations.NullMarked;

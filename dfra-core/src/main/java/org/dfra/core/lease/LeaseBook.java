@@ -1,0 +1,220 @@
+package org.dfra.core.lease;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.function.IntConsumer;
+import org.dfra.core.time.Scheduler;
+import org.dfra.core.time.Scheduler.Task;
+import org.dfra.lease.LeaseRefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
+ * when its time is, not when somebody asks: its end is noticed by the scheduler.
+ *
+ * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
+ * ends.
+ */
+public final class LeaseBook implements AutoCloseable {
+
+  /** What a holder is. */
+  public enum Holder {
+    /** Makes the module work. */
+    CLIENT,
+    /** Watches it, whether it works or not. */
+    WATCHER
+  }
+
+  private final String module;
+  private final LeaseTerms terms;
+  private final InstantSource clock;
+  private final Scheduler scheduler;
+  private final IntConsumer clientsChanged;
+
+  private final Map<UUID, Entry> entries = new HashMap<>(); // guarded by itself
+  private boolean closed; // guarded by entries
+
+  /** Taken before {@link #entries}; keeps what is told in order. */
+  private final Object telling = new Object();
+
+  private int lastTold; // guarded by telling
+
+  /**
+   * @param module the module's path, {@code robot/name}
+   * @param clientsChanged is told how many clients there are when that changes, in order; must not
+   *     call this book
+   */
+  public LeaseBook(
+      String module,
+      LeaseTerms terms,
+      InstantSource clock,
+      Scheduler scheduler,
+      IntConsumer clientsChanged) {
+    this.module = module;
+    this.terms = terms;
+    this.clock = clock;
+    this.scheduler = scheduler;
+    this.clientsChanged = clientsChanged;
+  }
+
+  /** One lease. */
+  private static final class Entry {
+    final Holder holder;
+    final Runnable whenOver;
+    long end; // guarded by entries
+    @Nullable Task expiry; // guarded by entries
+
+    Entry(Holder holder, Runnable whenOver) {
+      this.holder = holder;
+      this.whenOver = whenOver;
+    }
+  }
+
+  /** What is granted here. */
+  public LeaseTerms terms() {
+    return terms;
+  }
+
+  /**
+   * Grants a lease.
+   *
+   * @param asked how long
+   * @param whenOver run once when it has expired or this book is closed, not when it is cancelled
+   * @throws LeaseRefusedException if it is longer than allowed or not above zero, or the module has
+   *     ended
+   */
+  public Grant grant(Duration asked, Holder holder, Runnable whenOver)
+      throws LeaseRefusedException {
+    terms.check(module, asked);
+    UUID id = UUID.randomUUID();
+    synchronized (entries) {
+      refuseIfClosed();
+      Entry entry = new Entry(holder, whenOver);
+      entries.put(id, entry);
+      extend(id, entry, asked);
+    }
+    tell();
+    return new Grant(id, asked, clock.instant().plus(asked));
+  }
+
+  /**
+   * Counts a holder in this virtual machine until it says otherwise; nobody need renew it.
+   *
+   * @throws LeaseRefusedException if the module has ended
+   */
+  public UUID hold(Holder holder, Runnable whenOver) throws LeaseRefusedException {
+    UUID id = UUID.randomUUID();
+    synchronized (entries) {
+      refuseIfClosed();
+      entries.put(id, new Entry(holder, whenOver));
+    }
+    tell();
+    return id;
+  }
+
+  private void refuseIfClosed() throws LeaseRefusedException {
+    if (closed) {
+      throw new LeaseRefusedException(module + " grants no leases any more; it has ended");
+    }
+  }
+
+  /**
+   * Renews a lease, from now on.
+   *
+   * @return nothing if there is no such lease any more
+   * @throws LeaseRefusedException as for {@link #grant}; the lease stays as it was
+   */
+  public Optional<Grant> renew(UUID id, Duration asked) throws LeaseRefusedException {
+    terms.check(module, asked);
+    synchronized (entries) {
+      Entry entry = entries.get(id);
+      if (entry == null) {
+        return Optional.empty();
+      }
+      extend(id, entry, asked);
+    }
+    return Optional.of(new Grant(id, asked, clock.instant().plus(asked)));
+  }
+
+  /** Ends a lease before its time; false if there is no such lease any more. */
+  public boolean cancel(UUID id) {
+    synchronized (entries) {
+      Entry entry = entries.remove(id);
+      if (entry == null) {
+        return false;
+      }
+      if (entry.expiry != null) {
+        entry.expiry.cancel();
+      }
+    }
+    tell();
+    return true;
+  }
+
+  /** Whether there is such a lease. */
+  public boolean holds(UUID id) {
+    synchronized (entries) {
+      return entries.containsKey(id);
+    }
+  }
+
+  /** How many clients hold a lease now. */
+  public int clients() {
+    synchronized (entries) {
+      return (int) entries.values().stream().filter(entry -> entry.holder == Holder.CLIENT).count();
+    }
+  }
+
+  /** Ends every lease, and grants none any more. */
+  @Override
+  public void close() {
+    Map<UUID, Entry> over;
+    synchronized (entries) {
+      closed = true;
+      over = new HashMap<>(entries);
+      entries.clear();
+    }
+    tell();
+    for (Entry entry : over.values()) {
+      if (entry.expiry != null) {
+        entry.expiry.cancel();
+      }
+      entry.whenOver.run();
+    }
+  }
+
+  private void extend(UUID id, Entry entry, Duration asked) {
+    entry.end = scheduler.nanos() + asked.toNanos();
+    if (entry.expiry != null) {
+      entry.expiry.cancel();
+    }
+    entry.expiry = scheduler.after(asked.toNanos(), () -> expire(id));
+  }
+
+  private void expire(UUID id) {
+    Entry entry;
+    synchronized (entries) {
+      entry = entries.get(id);
+      if (entry == null || scheduler.nanos() - entry.end < 0) {
+        return; // cancelled or renewed meanwhile
+      }
+      entries.remove(id);
+    }
+    tell();
+    entry.whenOver.run();
+  }
+
+  private void tell() {
+    synchronized (telling) {
+      int clients = clients();
+      if (clients != lastTold) {
+        lastTold = clients;
+        clientsChanged.accept(clients);
+      }
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.dfra.core.lease;
+
+import java.math.BigDecimal;
+import java.time.Duration;
+import org.dfra.lease.LeaseRefusedException;
+
+/**
+ * What leases a module grants.
+ *
+ * @param longest the longest, at least a millisecond
+ * @param usual for those who leave it to the module, not longer
+ */
+public record LeaseTerms(Duration longest, Duration usual) {
+
+  /** Half a minute at the longest, usually ten seconds. */
+  public static final LeaseTerms USUAL =
+      new LeaseTerms(Duration.ofSeconds(30), Duration.ofSeconds(10));
+
+  private static final int MILLI = 3;
+
+  public LeaseTerms {
+    if (usual.toMillis() < 1 || usual.compareTo(longest) > 0) {
+      throw new IllegalArgumentException(
+          "usual lease "
+              + seconds(usual)
+              + " is outside 0.001 s to the longest "
+              + seconds(longest));
+    }
+  }
+
+  /**
+   * Refuses what is not granted.
+   *
+   * @param module the module's path, for the message
+   * @throws LeaseRefusedException if {@code asked} is longer than the longest or not above zero
+   */
+  public void check(String module, Duration asked) throws LeaseRefusedException {
+    boolean tooShort = asked.isNegative() || asked.isZero();
+    if (tooShort || asked.compareTo(longest) > 0) {
+      throw new LeaseRefusedException(
+          module
+              + ": lease "
+              + seconds(asked)
+              + (tooShort ? " is not above 0" : " > longest allowed " + seconds(longest))
+              + "; ask for "
+              + seconds(longest)
+              + " or less");
+    }
+  }
+
+  /** 30 s rather than 30.0 s. */
+  private static String seconds(Duration duration) {
+    if (duration.getSeconds() >= Long.MAX_VALUE / 1000) {
+      return "for ever";
+    }
+    return BigDecimal.valueOf(duration.toMillis(), MILLI).stripTrailingZeros().toPlainString()
+        + " s";
+  }
+}

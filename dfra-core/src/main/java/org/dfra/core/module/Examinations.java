@@ -1,0 +1,129 @@
+package org.dfra.core.module;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.time.Scheduler;
+import org.dfra.module.Diagnosis;
+import org.slf4j.Logger;
+
+/**
+ * The tests and recovery methods of a module's hardware, by name. They run on their caller's
+ * thread, one at a time.
+ */
+public final class Examinations {
+
+  /** What a test or a recovery does. */
+  @FunctionalInterface
+  public interface Check {
+
+    /**
+     * Does it.
+     *
+     * @throws Exception if it cannot be done at all; that is a finding too
+     */
+    Finding run() throws Exception;
+  }
+
+  /**
+   * What was found.
+   *
+   * @param passed whether all is well
+   * @param text what was found, a sentence
+   */
+  public record Finding(boolean passed, String text) {}
+
+  private final String module;
+  private final InstantSource clock;
+  private final Scheduler scheduler;
+  private final Logger log;
+  private final Map<String, Check> tests = new LinkedHashMap<>();
+  private final Map<String, Check> recoveries = new LinkedHashMap<>();
+  private final ReentrantLock oneAtATime = new ReentrantLock();
+
+  Examinations(String module, InstantSource clock, Scheduler scheduler, Logger log) {
+    this.module = module;
+    this.clock = clock;
+    this.scheduler = scheduler;
+    this.log = log;
+  }
+
+  /** Declares a test; only while the module is constructed. */
+  public void test(String name, Check check) {
+    tests.put(name, check);
+  }
+
+  /** Declares a recovery method; only while the module is constructed. */
+  public void recovery(String name, Check check) {
+    recoveries.put(name, check);
+  }
+
+  List<String> tests() {
+    return new ArrayList<>(tests.keySet());
+  }
+
+  List<String> recoveries() {
+    return new ArrayList<>(recoveries.keySet());
+  }
+
+  Diagnosis runTest(String name) {
+    return run(name, find("test", name, tests));
+  }
+
+  Diagnosis runRecovery(String name) {
+    return run(name, find("recovery method", name, recoveries));
+  }
+
+  private Check find(String what, String name, Map<String, Check> known) {
+    Check check = known.get(name);
+    if (check == null) {
+      throw new IllegalArgumentException(
+          module
+              + " knows no "
+              + what
+              + " \""
+              + name
+              + "\""
+              + NearestName.hint(
+                  name,
+                  known.keySet(),
+                  known.isEmpty()
+                      ? "; it knows none at all"
+                      : "; it knows " + String.join(", ", known.keySet())));
+    }
+    return check;
+  }
+
+  private Diagnosis run(String name, Check check) {
+    oneAtATime.lock();
+    try {
+      Instant when = clock.instant();
+      long began = scheduler.nanos();
+      Finding finding = find(check);
+      Duration took = Duration.ofNanos(scheduler.nanos() - began);
+      log.info(
+          "{}: {} {}: {}", module, name, finding.passed() ? "passed" : "failed", finding.text());
+      return new Diagnosis(name, finding.passed(), finding.text(), when, took);
+    } finally {
+      oneAtATime.unlock();
+    }
+  }
+
+  private Finding find(Check check) {
+    try {
+      return check.run();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return new Finding(false, "it was interrupted before its end");
+    } catch (Exception e) {
+      log.warn("{}: an examination ended in an exception", module, e);
+      return new Finding(false, "it could not be done: " + e);
+    }
+  }
+}

@@ -1,0 +1,42 @@
+package org.dfra.core.module;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.UUID;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.lease.ModuleLease;
+
+/**
+ * The lease of a client in the module's own virtual machine. They can only die together, so nothing
+ * need be renewed: it lasts until it is closed or the module ends.
+ */
+final class LocalLease implements ModuleLease {
+
+  private final LeaseBook book;
+  private final UUID id;
+  private final Duration duration;
+  private final InstantSource clock;
+
+  LocalLease(LeaseBook book, UUID id, Duration duration, InstantSource clock) {
+    this.book = book;
+    this.id = id;
+    this.duration = duration;
+    this.clock = clock;
+  }
+
+  @Override
+  public Instant expiration() {
+    return clock.instant().plus(duration);
+  }
+
+  @Override
+  public boolean isLive() {
+    return book.holds(id);
+  }
+
+  @Override
+  public void close() {
+    boolean unused = book.cancel(id);
+  }
+}

@@ -1,0 +1,42 @@
+package org.dfra.core.module;
+
+import java.time.Instant;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.dfra.core.event.Tally;
+import org.dfra.event.Subscription;
+
+/** The tie of a listener in the module's own virtual machine. */
+final class LocalSubscription implements Subscription {
+
+  private final Tally tally;
+  private final Runnable end;
+  private final AtomicBoolean closed = new AtomicBoolean();
+
+  LocalSubscription(Tally tally, Runnable end) {
+    this.tally = tally;
+    this.end = end;
+  }
+
+  @Override
+  public long received() {
+    return tally.received();
+  }
+
+  @Override
+  public long lost() {
+    return tally.lost();
+  }
+
+  @Override
+  public Optional<Instant> interruptedSince() {
+    return Optional.empty();
+  }
+
+  @Override
+  public void close() {
+    if (closed.compareAndSet(false, true)) {
+      end.run();
+    }
+  }
+}

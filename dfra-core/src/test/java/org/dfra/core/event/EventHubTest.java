@@ -1,0 +1,204 @@
+package org.dfra.core.event;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.concurrent.locks.LockSupport;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.Scheduler;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Reading;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class EventHubTest {
+
+  private record Tick(Instant measured) implements Reading {}
+
+  private static final ModuleEvent TICK = new ModuleEvent.NewReading(new Tick(Instant.EPOCH));
+  private static final int EVENTS = 100;
+  private static final int HEALTHY = 19;
+
+  private final DeliveryPool pool = new DeliveryPool(2, Scheduler.system());
+  private final EventHub hub = hub(StateStore.inMemory());
+
+  private EventHub hub(StateStore state) {
+    return new EventHub("atrv1/lamp", InstantSource.system(), state, pool, Scheduler.system());
+  }
+
+  private EventHub.Entry add(ModuleListener listener, DeliveryPolicy policy) {
+    return hub.add(listener, policy, ListenerQueue.NEVER, () -> {});
+  }
+
+  /**
+   * One sensor at 100 Hz, ten times as fast as is asked for, so that the test is short. What a
+   * listener adds is small against what a busy machine adds, so the two runs are compared by their
+   * medians, and the worst case with the time for which the stopped listener blocks its thread.
+   */
+  @Test
+  void aStoppedListenerAddsNoLatencyToNineteenHealthyOnes() {
+    long[] without = latencies();
+    CountDownLatch stopped = new CountDownLatch(1);
+    EventHub.Entry blocked =
+        add(
+            delivery -> {
+              try {
+                stopped.await();
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            },
+            DeliveryPolicy.keepLast(8));
+    long[] with = latencies();
+    int threads = pool.threads();
+    stopped.countDown();
+    hub.remove(blocked);
+    System.out.printf(
+        "latency of %d listeners, median and 99th of 100, in ms: %.3f %.3f; with one stopped %.3f"
+            + " %.3f; threads %d%n",
+        HEALTHY, at(without, 0.5), at(without, 0.99), at(with, 0.5), at(with, 0.99), threads);
+    assertThat(at(with, 0.5)).as("median, ms").isLessThan(at(without, 0.5) + 1);
+    assertThat(at(with, 0.99)).as("99th of 100, ms").isLessThan(Math.max(5, 3 * at(without, 0.99)));
+    assertThat(threads).as("two, and one for the stopped").isLessThanOrEqualTo(3);
+  }
+
+  private static double at(long[] sorted, double share) {
+    return sorted[(int) (share * (sorted.length - 1))] / 1e6;
+  }
+
+  /** Nanoseconds from publishing to each healthy listener, sorted. */
+  private long[] latencies() {
+    AtomicLongArray published = new AtomicLongArray(EVENTS);
+    AtomicLongArray took = new AtomicLongArray(EVENTS * HEALTHY);
+    AtomicInteger done = new AtomicInteger();
+    List<EventHub.Entry> entries = new ArrayList<>();
+    for (int i = 0; i < HEALTHY; i++) {
+      int listener = i;
+      int[] next = {0};
+      entries.add(
+          add(
+              delivery -> {
+                int event = next[0]++;
+                took.set(event * HEALTHY + listener, System.nanoTime() - published.get(event));
+                done.incrementAndGet();
+              },
+              DeliveryPolicy.keepLast(EVENTS)));
+    }
+    long begin = System.nanoTime();
+    for (int event = 0; event < EVENTS; event++) {
+      long due = begin + event * 10_000_000L;
+      while (System.nanoTime() - due < 0) {
+        LockSupport.parkNanos(due - System.nanoTime()); // the sensor's rate
+      }
+      published.set(event, System.nanoTime());
+      hub.publish(TICK);
+    }
+    await().until(() -> done.get() == EVENTS * HEALTHY);
+    entries.forEach(hub::remove);
+    long[] sorted = new long[EVENTS * HEALTHY];
+    Arrays.setAll(sorted, took::get);
+    Arrays.sort(sorted);
+    return sorted;
+  }
+
+  @Test
+  void givesUpAListenerThatFailsAgainAndAgain() {
+    AtomicInteger given = new AtomicInteger();
+    AtomicInteger asked = new AtomicInteger();
+    hub.add(
+        delivery -> {
+          asked.incrementAndGet();
+          throw new java.rmi.ConnectException("no such peer");
+        },
+        DeliveryPolicy.keepLast(10),
+        3,
+        given::incrementAndGet);
+    for (int i = 0; i < 10; i++) {
+      hub.publish(TICK);
+    }
+    await().until(() -> given.get() == 1);
+    assertThat(asked).hasValue(3);
+    assertThat(hub.entries()).isEmpty();
+  }
+
+  @Test
+  void publishingNeverWaitsForAListener() {
+    CountDownLatch stopped = new CountDownLatch(1);
+    for (int i = 0; i < 10; i++) {
+      add(
+          delivery -> {
+            try {
+              stopped.await();
+            } catch (InterruptedException e) {
+              Thread.currentThread().interrupt();
+            }
+          },
+          DeliveryPolicy.latestReading());
+    }
+    for (int i = 0; i < 10_000; i++) {
+      hub.publish(TICK); // would not return if it waited
+    }
+    await().until(() -> pool.threads() >= 10);
+    assertThat(pool.threads()).as("two, and one for each blocked").isLessThanOrEqualTo(12);
+    stopped.countDown();
+    await().until(() -> pool.threads() <= 2);
+  }
+
+  @Test
+  void numbersGoOnInTheNextLifeAndTheEpochGrows() {
+    StateStore state = StateStore.inMemory();
+    hub(state).publish(TICK);
+    hub(state).publish(new ModuleEvent.ParameterChanged("rate", "1"));
+    EventHub third = hub(state);
+    EventHub.Entry entry =
+        third.add(delivery -> {}, DeliveryPolicy.keepLast(1), ListenerQueue.NEVER, () -> {});
+    assertThat(entry.epoch()).isEqualTo(3);
+    assertThat(entry.numbers()[Kind.READING.ordinal()]).isEqualTo(1);
+    assertThat(entry.numbers()[Kind.PARAMETER.ordinal()]).isEqualTo(1);
+    assertThat(entry.numbers()[Kind.INCIDENT.ordinal()]).isZero();
+  }
+
+  @Test
+  void aTallyCountsGapsLeavesOutWhatCameBeforeAndForgivesALossOfPower() throws Exception {
+    List<Long> passed = new ArrayList<>();
+    Tally tally = new Tally(delivery -> passed.add(delivery.sequence()));
+    tally.begin(new long[] {0, 10, 0, 0});
+    for (long sequence : new long[] {12, 12, 11, 15}) {
+      tally.notify(reading(1, sequence));
+    }
+    tally.notify(reading(2, 16));
+    tally.notify(reading(3, 4)); // the numbers fell back
+    tally.notify(reading(3, 5));
+    assertThat(passed).containsExactly(12L, 15L, 16L, 4L, 5L);
+    assertThat(tally.received()).isEqualTo(5);
+    assertThat(tally.lost()).isEqualTo(3);
+  }
+
+  private static Delivery reading(long epoch, long sequence) {
+    return new Delivery("atrv1/lamp", epoch, sequence, 0, Instant.EPOCH, TICK);
+  }
+
+  @Test
+  void refusesPoliciesThatCannotBeKept() {
+    assertThatThrownBy(() -> DeliveryPolicy.keepLast(0)).hasMessage("depth 0 is outside 1 to 1024");
+    assertThatThrownBy(() -> DeliveryPolicy.latestReading().atMost(0))
+        .hasMessage("rate 0.0 Hz is not above 0");
+    assertThatThrownBy(() -> new DeliveryPolicy(Set.of(), 1, 1))
+        .hasMessage("a listener that wants no kind of event needs none");
+  }
+}

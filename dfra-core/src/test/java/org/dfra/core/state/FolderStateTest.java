@@ -1,0 +1,64 @@
+package org.dfra.core.state;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.dfra.core.state.StateStore.Counters;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FolderStateTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void writesDocumentsWholeAndLeavesNothingBeside() throws Exception {
+    StateStore state = StateStore.in(folder.resolve("robot/module"));
+    assertThat(state.read("history")).isEmpty();
+    state.write("history", bytes("one"));
+    state.write("history", bytes("two"));
+    assertThat(state.read("history")).hasValue(bytes("two"));
+    try (Stream<Path> files = Files.list(folder.resolve("robot/module"))) {
+      assertThat(files.map(file -> file.getFileName().toString())).containsExactly("history");
+    }
+  }
+
+  @Test
+  void countersSurviveAKilledProcess() throws Exception {
+    Process child =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                CountAndDie.class.getName(),
+                folder.toString())
+            .inheritIO()
+            .start();
+    assertThat(child.waitFor(30, TimeUnit.SECONDS)).isTrue();
+    assertThat(child.exitValue()).as("killed, not ended").isNotZero();
+    Counters counters = StateStore.in(folder).counters("events", 2);
+    assertThat(List.of(counters.get(0), counters.get(1))).containsExactly(1_000_000L, -7L);
+  }
+
+  /** Counts and is dead in the next moment, without any chance to tidy up. */
+  static final class CountAndDie {
+    public static void main(String[] args) throws IOException {
+      Counters counters = StateStore.in(Path.of(args[0])).counters("events", 2);
+      counters.set(1, -7);
+      for (long i = 1; i <= 1_000_000; i++) {
+        counters.set(0, i);
+      }
+      Runtime.getRuntime().halt(9);
+    }
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+}

@@ -1,0 +1,66 @@
+package org.dfra.drivers.gps.m12;
+
+import java.time.Duration;
+
+/**
+ * How often the receiver is to tell its position: at one rate while it has clients, at another,
+ * slower one while it rests. Also how old a position may be, which follows the rate.
+ *
+ * <p>When the rate goes up, positions are judged by the slower one until the first at the new rate
+ * has come. Safe for use by several threads.
+ */
+final class M12Rate {
+
+  private int working; // all guarded by this
+  private int idle;
+  private boolean resting;
+  private int judgedBy;
+
+  /**
+   * @param working seconds between positions while it works
+   * @param idle seconds between positions while it rests
+   */
+  M12Rate(int working, int idle) {
+    this.working = working;
+    this.idle = idle;
+    this.judgedBy = working;
+  }
+
+  synchronized int working() {
+    return working;
+  }
+
+  synchronized int idle() {
+    return idle;
+  }
+
+  synchronized void setWorking(int seconds) {
+    working = seconds;
+    judgedBy = Math.max(judgedBy, now());
+  }
+
+  synchronized void setIdle(int seconds) {
+    idle = seconds;
+    judgedBy = Math.max(judgedBy, now());
+  }
+
+  synchronized void rest(boolean whether) {
+    resting = whether;
+    judgedBy = Math.max(judgedBy, now());
+  }
+
+  /** Seconds between positions, as wanted now. */
+  synchronized int now() {
+    return resting ? Math.max(idle, working) : working;
+  }
+
+  /** A position has come at the rate that is wanted now. */
+  synchronized void arrived() {
+    judgedBy = now();
+  }
+
+  /** How old a position may be, and how long the receiver silent: three periods and 2 s. */
+  synchronized Duration longestAge() {
+    return Duration.ofSeconds(3L * judgedBy + 2);
+  }
+}

@@ -1,0 +1,30 @@
+package org.dfra.river.proxy;
+
+import java.io.Serializable;
+import java.rmi.RemoteException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A constant of a module, asked for when it is first wanted. A proxy that travels leaves it behind.
+ */
+final class Cached<T> implements Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private transient volatile @Nullable T value;
+
+  /** Asks for the constant. */
+  @FunctionalInterface
+  interface Question<T> {
+    T ask() throws RemoteException;
+  }
+
+  T get(Question<T> question) throws RemoteException {
+    @Nullable T known = value;
+    if (known == null) {
+      known = question.ask();
+      value = known;
+    }
+    return known;
+  }
+}

@@ -1,0 +1,148 @@
+package org.dfra.river.proxy;
+
+import java.io.IOException;
+import java.rmi.ConnectIOException;
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import net.jini.core.lease.Lease;
+import net.jini.export.Exporter;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.core.event.DeliveryPool;
+import org.dfra.core.event.ListenerQueue;
+import org.dfra.core.event.Tally;
+import org.dfra.core.time.Scheduler;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.river.call.CallbackHost;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.remote.LeasedSubscription;
+import org.dfra.river.remote.RemoteModule;
+import org.dfra.river.remote.RemoteModuleListener;
+
+/**
+ * A local listener's tie to a module elsewhere.
+ *
+ * <pre>
+ *   server --call--&gt; this (exported) --&gt; ListenerQueue --&gt; Tally --&gt; the listener
+ * </pre>
+ *
+ * <p>The server's call ends when the event lies in the queue, so a slow listener does not hold it.
+ */
+final class ProxySubscription implements RemoteModuleListener, Subscription {
+
+  /** JERI holds what it has exported weakly, so what is open is held here. */
+  private static final Set<ProxySubscription> OPEN = ConcurrentHashMap.newKeySet();
+
+  private final Tally tally;
+  private final ListenerQueue queue;
+  private final Exporter exporter;
+  private final Tenure tenure;
+
+  private ProxySubscription(
+      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    this.tally = new Tally(listener);
+    // The server has chosen the kinds and kept the rate; here they must only not pile up.
+    this.queue =
+        new ListenerQueue(
+            tally,
+            new DeliveryPolicy(
+                EnumSet.allOf(DeliveryPolicy.Kind.class), policy.depth(), Double.POSITIVE_INFINITY),
+            ListenerQueue.NEVER,
+            () -> {},
+            DeliveryPool.shared(),
+            Scheduler.system());
+    this.exporter =
+        new BasicJeriExporter(
+            Endpoints.tcp(host(server), 0), new DeadlineILFactory(), false, false);
+    ModuleListener stub = (ModuleListener) exporter.export(this);
+    OPEN.add(this);
+    try {
+      LeasedSubscription first = register(server, stub, policy);
+      this.tenure =
+          new Tenure(
+              "subscription to " + path,
+              () -> register(server, stub, policy).lease(),
+              Lease.ANY,
+              first.lease(),
+              Scheduler.system());
+    } catch (RemoteException | RuntimeException e) {
+      unexport();
+      throw e;
+    }
+  }
+
+  /**
+   * Subscribes.
+   *
+   * @param path the module's path, for the log
+   * @throws RemoteException if the server cannot be reached, or cannot reach this client
+   */
+  static ProxySubscription open(
+      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    ProxySubscription subscription = new ProxySubscription(path, server, listener, policy);
+    subscription.tenure.start();
+    return subscription;
+  }
+
+  private static String host(RemoteModule server) throws RemoteException {
+    try {
+      return CallbackHost.towards(server);
+    } catch (IOException e) {
+      throw new ConnectIOException(
+          "this machine finds no way to the server; name its own address with -D"
+              + CallbackHost.PROPERTY,
+          e);
+    }
+  }
+
+  private LeasedSubscription register(
+      RemoteModule server, ModuleListener stub, DeliveryPolicy policy) throws RemoteException {
+    if (server.subscribe(stub, policy) instanceof LeasedSubscription leased) {
+      tally.begin(leased.numbers().stream().mapToLong(Long::longValue).toArray());
+      return leased;
+    }
+    throw new RemoteException("the server gave no lease for the listener");
+  }
+
+  /** An event arrives from the server. */
+  @Override
+  public void notify(Delivery delivery) {
+    queue.offer(delivery);
+  }
+
+  @Override
+  public long received() {
+    return tally.received();
+  }
+
+  @Override
+  public long lost() {
+    return tally.lost();
+  }
+
+  @Override
+  public Optional<Instant> interruptedSince() {
+    return tenure.interruptedSince();
+  }
+
+  @Override
+  public void close() {
+    tenure.close();
+    queue.close();
+    unexport();
+  }
+
+  private void unexport() {
+    boolean unused = exporter.unexport(true);
+    OPEN.remove(this);
+  }
+}

@@ -1,0 +1,198 @@
+package org.dfra.river.proxy;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import net.jini.core.lease.Lease;
+import net.jini.core.lease.LeaseDeniedException;
+import net.jini.core.lease.UnknownLeaseException;
+import org.dfra.core.time.Scheduler;
+import org.dfra.core.time.Scheduler.Task;
+import org.dfra.lease.LeaseRefusedException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Keeps a lease at a server for as long as its owner wants: renews it, and where the server has
+ * lost it or died, asks for a new one.
+ *
+ * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
+ * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
+ * the calls are made by threads that exist while a call is under way, so a silent server delays
+ * nobody else's renewal. A tenure is kept alive by the timer; it ends when it is closed.
+ */
+final class Tenure implements AutoCloseable {
+
+  /** Asks a server for a lease. */
+  @FunctionalInterface
+  interface Registration {
+    Lease register() throws RemoteException, LeaseRefusedException;
+  }
+
+  private static final long PERIOD_MILLIS = 1000;
+  private static final Logger LOG = LoggerFactory.getLogger(Tenure.class);
+  private static final AtomicInteger NAMES = new AtomicInteger();
+  private static final ThreadPoolExecutor CALLERS =
+      new ThreadPoolExecutor(
+          0,
+          Integer.MAX_VALUE,
+          10,
+          TimeUnit.SECONDS,
+          new SynchronousQueue<>(),
+          task -> {
+            Thread thread = new Thread(task, "dfra-renewal-" + NAMES.incrementAndGet());
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  private final String what;
+  private final Registration registration;
+  private final long duration;
+  private final long periodNanos;
+  private final Scheduler scheduler;
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+
+  // guarded by this
+  private Lease lease;
+  private boolean closed;
+  private @Nullable Instant interruptedSince;
+  private @Nullable Task next;
+
+  /**
+   * @param what what is kept, for the log
+   * @param duration what to renew for, milliseconds; {@link Lease#ANY} for the server's choice
+   * @param lease the first lease
+   */
+  Tenure(String what, Registration registration, long duration, Lease lease, Scheduler scheduler) {
+    this.what = what;
+    this.registration = registration;
+    this.duration = duration;
+    this.lease = lease;
+    this.scheduler = scheduler;
+    long granted = Math.max(1, lease.getExpiration() - System.currentTimeMillis());
+    this.periodNanos =
+        Math.min(
+            TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), Duration.ofMillis(granted).toNanos() / 3);
+  }
+
+  /** Begins to look after the lease. */
+  synchronized void start() {
+    if (!closed) {
+      next = scheduler.after(periodNanos, () -> CALLERS.execute(this::look));
+    }
+  }
+
+  /** Since when the server has not been reached, while that is so. */
+  synchronized Optional<Instant> interruptedSince() {
+    return Optional.ofNullable(interruptedSince);
+  }
+
+  /** When the lease ends unless it is renewed. */
+  synchronized Instant expiration() {
+    return Instant.ofEpochMilli(lease.getExpiration());
+  }
+
+  /** Whether the lease is held, as far as is known. */
+  synchronized boolean isLive() {
+    return !closed && !isOver();
+  }
+
+  private boolean isOver() {
+    return lease.getExpiration() <= System.currentTimeMillis();
+  }
+
+  /** Gives the lease back, in the background. Idempotent. */
+  @Override
+  public synchronized void close() {
+    if (!closed) {
+      closed = true;
+      if (next != null) {
+        next.cancel();
+      }
+      Lease last = lease;
+      CALLERS.execute(() -> giveBack(last));
+    }
+  }
+
+  private void look() {
+    Thread.currentThread().setContextClassLoader(loader);
+    Lease held;
+    boolean over;
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      held = lease;
+      over = isOver();
+    }
+    try {
+      if (over || !renewed(held)) {
+        replace(registration.register());
+      }
+      reached();
+    } catch (RemoteException | LeaseRefusedException | RuntimeException e) {
+      missed(e);
+    } finally {
+      Thread.currentThread().setContextClassLoader(null);
+      start();
+    }
+  }
+
+  /** Renews the lease; false where it is certainly gone, or the server that granted it is. */
+  private boolean renewed(Lease held) throws RemoteException {
+    try {
+      held.renew(duration);
+      return true;
+    } catch (UnknownLeaseException
+        | LeaseDeniedException
+        | java.rmi.NoSuchObjectException
+        | java.rmi.ConnectException
+        | java.rmi.ConnectIOException e) {
+      LOG.debug("{}: the lease is gone: {}", what, e.toString());
+      return false;
+    }
+  }
+
+  private void replace(Lease fresh) {
+    boolean tooLate;
+    synchronized (this) {
+      tooLate = closed;
+      if (!tooLate) {
+        lease = fresh;
+      }
+    }
+    if (tooLate) {
+      giveBack(fresh);
+    } else {
+      LOG.info("{}: registered anew", what);
+    }
+  }
+
+  private synchronized void reached() {
+    if (interruptedSince != null) {
+      LOG.info("{}: back after {}", what, Duration.between(interruptedSince, Instant.now()));
+      interruptedSince = null;
+    }
+  }
+
+  private synchronized void missed(Exception e) {
+    if (interruptedSince == null && !closed) {
+      interruptedSince = Instant.now();
+      LOG.warn("{}: interrupted, trying again until it is closed: {}", what, e.toString());
+    }
+  }
+
+  private void giveBack(Lease last) {
+    try {
+      last.cancel();
+    } catch (UnknownLeaseException | RemoteException e) {
+      LOG.debug("{}: the lease ends by itself: {}", what, e.toString());
+    }
+  }
+}

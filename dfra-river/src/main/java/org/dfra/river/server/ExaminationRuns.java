@@ -1,0 +1,78 @@
+package org.dfra.river.server;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.dfra.module.Diagnosable;
+import org.dfra.module.Diagnosis;
+import org.dfra.river.remote.RemoteExamination.Sort;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Tests and recoveries that run at a server, each on a daemon thread of its own while it runs, and
+ * what the last {@value #REMEMBERED} of them found.
+ */
+final class ExaminationRuns {
+
+  private static final int REMEMBERED = 32;
+
+  private final String module;
+  private final Diagnosable subject;
+  private final Map<UUID, FutureTask<Diagnosis>> runs = new LinkedHashMap<>() { // guarded by itself
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<UUID, FutureTask<Diagnosis>> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+
+  ExaminationRuns(String module, Diagnosable subject) {
+    this.module = module;
+    this.subject = subject;
+  }
+
+  UUID begin(Sort sort, String name) throws java.rmi.RemoteException {
+    boolean known = (sort == Sort.TEST ? subject.tests() : subject.recoveries()).contains(name);
+    FutureTask<Diagnosis> run =
+        new FutureTask<>(() -> sort == Sort.TEST ? subject.test(name) : subject.recover(name));
+    UUID id = UUID.randomUUID();
+    if (known) {
+      synchronized (runs) {
+        runs.put(id, run);
+      }
+      Thread thread = new Thread(run, module + " " + name);
+      thread.setDaemon(true);
+      thread.start();
+    } else {
+      Diagnosis unused = sort == Sort.TEST ? subject.test(name) : subject.recover(name); // refuses
+    }
+    return id;
+  }
+
+  @Nullable Diagnosis await(UUID id, Duration patience) {
+    FutureTask<Diagnosis> run;
+    synchronized (runs) {
+      run = runs.get(id);
+    }
+    if (run == null) {
+      throw new IllegalArgumentException(
+          module
+              + " knows no such examination: it was activated anew since, or many others were begun;"
+              + " begin it again");
+    }
+    try {
+      return run.get(patience.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      return null;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return null;
+    } catch (ExecutionException e) {
+      throw new IllegalStateException(module + ": the examination ended in " + e.getCause(), e);
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.dfra.river.server;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.Serializable;
+import java.io.UncheckedIOException;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.rmi.Remote;
+import java.rmi.server.ExportException;
+import java.rmi.server.RemoteObjectInvocationHandler;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import net.jini.export.Exporter;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Exports by JRMP, and gives proxies that may be called through any interface. The JDK's own stubs
+ * refuse a method that is declared in an interface which is not itself remote, as all of a module's
+ * are: {@code GPSSensor} is not remote, {@code RemoteGPSSensor} is.
+ */
+final class JrmpCallsExporter implements Exporter {
+
+  private final Exporter underlying;
+
+  JrmpCallsExporter(Exporter underlying) {
+    this.underlying = underlying;
+  }
+
+  @Override
+  public Remote export(Remote impl) throws ExportException {
+    Remote stub = underlying.export(impl);
+    return (Remote)
+        Proxy.newProxyInstance(
+            stub.getClass().getClassLoader(), stub.getClass().getInterfaces(), new Calls(stub));
+  }
+
+  @Override
+  public boolean unexport(boolean force) {
+    return underlying.unexport(force);
+  }
+
+  /**
+   * Makes calls by the stub's reference. The number of a method is the one that the RMI
+   * specification gives it, section 8.3.
+   *
+   * @param stub the JDK's stub
+   */
+  private record Calls(Remote stub) implements InvocationHandler, Serializable {
+
+    @Override
+    public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
+        throws Throwable {
+      if (method.getDeclaringClass() == Object.class) {
+        return switch (method.getName()) {
+          case "equals" ->
+              arguments != null
+                  && arguments[0] != null
+                  && Proxy.isProxyClass(arguments[0].getClass())
+                  && equals(Proxy.getInvocationHandler(arguments[0]));
+          case "hashCode" -> hashCode();
+          default -> toString();
+        };
+      }
+      RemoteObjectInvocationHandler handler =
+          (RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub);
+      return handler.getRef().invoke(stub, method, arguments, number(method));
+    }
+
+    private static long number(Method method) {
+      String descriptor =
+          java.lang.invoke.MethodType.methodType(method.getReturnType(), method.getParameterTypes())
+              .toMethodDescriptorString();
+      ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+      try (DataOutputStream out = new DataOutputStream(bytes)) {
+        out.writeUTF(method.getName() + descriptor);
+        byte[] digest = MessageDigest.getInstance("SHA").digest(bytes.toByteArray());
+        return ByteBuffer.wrap(digest).order(ByteOrder.LITTLE_ENDIAN).getLong();
+      } catch (IOException e) {
+        throw new UncheckedIOException(e); // there is always memory to write to
+      } catch (NoSuchAlgorithmException e) {
+        throw new AssertionError("every Java platform has SHA", e);
+      }
+    }
+  }
+}

@@ -1,0 +1,55 @@
+package org.dfra.river.contract;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Semaphore;
+import org.dfra.event.Delivery;
+import org.dfra.event.ModuleEvent.NewReading;
+import org.dfra.event.ModuleListener;
+import org.dfra.flow.sensor.GpsFix;
+
+/** A listener that remembers, and can be made to take its time. */
+final class Ear implements ModuleListener {
+
+  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
+  private final Semaphore listening = new Semaphore(Integer.MAX_VALUE / 2);
+  volatile boolean throwing;
+
+  @Override
+  public void notify(Delivery delivery) {
+    heard.add(delivery);
+    listening.acquireUninterruptibly();
+    listening.release();
+    if (throwing) {
+      throw new IllegalStateException("an ear that hurts");
+    }
+  }
+
+  /** Takes in one more, and then nothing until {@link #open}. */
+  void stop() {
+    listening.drainPermits();
+  }
+
+  void open() {
+    listening.release(1000);
+  }
+
+  List<Delivery> heard() {
+    return heard;
+  }
+
+  /** Waits for so many. */
+  List<Delivery> await(int count) {
+    Duration patience = Duration.ofSeconds(10);
+    org.awaitility.Awaitility.await().atMost(patience).until(() -> heard.size() >= count);
+    return heard;
+  }
+
+  List<Double> latitudes() {
+    return heard.stream()
+        .filter(delivery -> delivery.event() instanceof NewReading)
+        .map(delivery -> ((GpsFix) ((NewReading) delivery.event()).reading()).position().latitude())
+        .toList();
+  }
+}

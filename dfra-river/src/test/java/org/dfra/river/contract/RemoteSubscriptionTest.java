@@ -1,0 +1,209 @@
+package org.dfra.river.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.atomic.AtomicReference;
+import net.jini.export.Exporter;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.Incident;
+import org.dfra.module.Readiness;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.proxy.GPSProxy;
+import org.dfra.river.remote.RemoteGPSSensor;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.dfra.river.server.GPSServer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What becomes of subscriptions and leases when the server or the client dies. */
+@Timeout(60)
+class RemoteSubscriptionTest {
+
+  /** The requirement's; the rest is for a slow machine to notice. */
+  private static final Duration BACK = Duration.ofSeconds(5);
+
+  @TempDir Path folder;
+
+  private final AtomicReference<GPSServer> server = new AtomicReference<>();
+
+  @AfterEach
+  void end() {
+    server.get().close();
+  }
+
+  @Test
+  void comeBackByThemselvesWhenTheServerWasDeadAndCountTheGap() throws Exception {
+    String state = folder.resolve("state").toString();
+    server.set(Served.serve(UUID.randomUUID(), null, state));
+    GPSProxy proxy = proxy();
+    Ear ear = new Ear();
+    try (Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
+        ModuleLease lease = proxy.use(Duration.ofSeconds(30))) {
+      gps().solve(1);
+      ear.await(1);
+
+      server.get().close();
+      await().atMost(BACK).until(() -> subscription.interruptedSince().isPresent());
+      server.set(Served.serve(UUID.randomUUID(), null, state));
+      gps().solve(2); // nobody listens yet: these two are lost
+      gps().solve(3);
+      await().atMost(BACK).until(() -> gps().leases().clients() == 2);
+      gps().solve(4);
+
+      List<Delivery> heard = ear.await(2);
+      assertThat(ear.latitudes()).containsExactly(1.0, 4.0);
+      assertThat(heard.get(1).epoch()).isEqualTo(2);
+      assertThat(heard.get(1).sequence()).isEqualTo(heard.get(0).sequence() + 3);
+      assertThat(subscription.lost()).isEqualTo(2);
+      await().atMost(BACK).until(() -> subscription.interruptedSince().isEmpty());
+      assertThat(lease.isLive()).isTrue();
+      assertThat(proxy.readiness()).isEqualTo(Readiness.ACTIVE);
+      assertThat(proxy.history().activations()).isEqualTo(2);
+      assertThat(proxy.history().recent())
+          .extracting(Incident::kind)
+          .containsExactly(
+              Incident.Kind.ACTIVATION, Incident.Kind.DEACTIVATION, Incident.Kind.ACTIVATION);
+    }
+    await().until(() -> gps().leases().clients() == 0);
+  }
+
+  @Test
+  void endAtTheServerWhenTheClientIsDead() throws Exception {
+    Path configuration = folder.resolve("short.config");
+    Files.writeString(configuration, "org.dfra.river.lease { longestLease = 600L; }");
+    server.set(Served.serve(UUID.randomUUID(), configuration.toString(), null));
+    RemoteModuleListener deaf = delivery -> {};
+    Exporter exporter =
+        new BasicJeriExporter(Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(), false, false);
+    ModuleListener stub = (ModuleListener) exporter.export(deaf);
+    RemoteGPSSensor remote = (RemoteGPSSensor) server.get().getProxy();
+    // What a client's proxy would renew, nobody renews.
+    Subscription unused = remote.subscribe(stub, DeliveryPolicy.latestReading());
+    ModuleLease unrenewed = remote.use(Duration.ofMillis(500));
+    assertThat(gps().leases().clients()).isEqualTo(2);
+    assertThat(gps().events().entries()).hasSize(1);
+    await().atMost(BACK).until(() -> gps().leases().clients() == 0);
+    assertThat(gps().events().entries()).isEmpty();
+    assertThat(gps().readiness()).isEqualTo(Readiness.READY);
+    assertThat(unrenewed.isLive()).isFalse();
+    assertThat(exporter.unexport(true)).isTrue();
+  }
+
+  @Test
+  void aListenerThatIsGoneIsDroppedAtItsFirstEvent() throws Exception {
+    server.set(Served.serve(UUID.randomUUID(), null, null));
+    RemoteModuleListener listener = delivery -> {};
+    Exporter exporter =
+        new BasicJeriExporter(Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(), false, true);
+    ModuleListener stub = (ModuleListener) exporter.export(listener);
+    RemoteGPSSensor remote = (RemoteGPSSensor) server.get().getProxy();
+    Subscription first = remote.subscribe(stub, DeliveryPolicy.latestReading());
+    Subscription again = remote.subscribe(stub, DeliveryPolicy.latestReading());
+    assertThat(gps().events().entries()).as("registered anew, not twice").hasSize(1);
+    assertThat(first).isNotEqualTo(again);
+    assertThat(exporter.unexport(true)).isTrue();
+    for (int i = 0;
+        i < 3;
+        i++) { // no such object is the end; no connection is one failure of three
+      gps().solve(i);
+    }
+    await()
+        .atMost(BACK)
+        .until(
+            () -> {
+              gps().solve(9);
+              return gps().events().entries().isEmpty();
+            });
+    assertThat(gps().leases().clients()).isZero();
+  }
+
+  @Test
+  void subscriptionsShareTheirThreads() throws Exception {
+    server.set(Served.serve(UUID.randomUUID(), null, null));
+    GPSProxy proxy = proxy();
+    Ear[] ears = new Ear[50];
+    Subscription[] subscriptions = new Subscription[ears.length];
+    for (int i = 0; i < ears.length; i++) {
+      ears[i] = new Ear();
+      subscriptions[i] = proxy.subscribe(ears[i], DeliveryPolicy.keepLast(10));
+    }
+    gps().solve(7);
+    for (Ear ear : ears) {
+      ear.await(1);
+    }
+    assertThat(
+            Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().equals("dfra-timer")))
+        .hasSize(1);
+    for (Subscription subscription : subscriptions) {
+      subscription.close();
+    }
+    await().until(() -> gps().events().entries().isEmpty());
+  }
+
+  @Test
+  void jrmpCarriesTheSameModuleByConfigurationAlone() throws Exception {
+    Path configuration = folder.resolve("jrmp.config");
+    Files.writeString(
+        configuration,
+        """
+        import org.dfra.river.server.Exporters;
+        import org.dfra.river.server.Exporters$ServerSettings;
+
+        org.dfra.river.server {
+            serverExporter = Exporters.jrmp((Exporters$ServerSettings) $data, 2000L);
+        }
+        """);
+    server.set(Served.serve(UUID.randomUUID(), configuration.toString(), null));
+    RemoteGPSSensor stub = (RemoteGPSSensor) server.get().getProxy();
+    assertThat(Proxy.getInvocationHandler(stub)).asString().contains("UnicastRef");
+    GPSProxy proxy = Served.proxy(stub, UUID.randomUUID(), server.get());
+    Ear ear = new Ear();
+    System.setProperty("dfra.host", "127.0.0.1"); // a JRMP stub does not tell where its server is
+    try (Subscription unused = proxy.subscribe(ear, DeliveryPolicy.latestReading())) {
+      gps().solve(11);
+      ear.await(1);
+      assertThat(proxy.fix().position().latitude()).isEqualTo(11);
+    } finally {
+      System.clearProperty("dfra.host");
+    }
+  }
+
+  private static ScriptedGps gps() {
+    return ScriptedGps.last(ModuleContract.PATH);
+  }
+
+  /** A proxy whose stub finds the server that is there now, as a resurrecting one does. */
+  private GPSProxy proxy() throws Exception {
+    RemoteGPSSensor stub =
+        (RemoteGPSSensor)
+            Proxy.newProxyInstance(
+                getClass().getClassLoader(),
+                new Class<?>[] {RemoteGPSSensor.class},
+                (self, method, args) -> {
+                  try {
+                    return method.invoke(server.get().getProxy(), args);
+                  } catch (InvocationTargetException e) {
+                    throw e.getCause();
+                  }
+                });
+    System.setProperty("dfra.host", "127.0.0.1");
+    return Served.proxy(stub, UUID.randomUUID(), server.get());
+  }
+}

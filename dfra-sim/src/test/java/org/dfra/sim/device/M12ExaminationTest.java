@@ -1,0 +1,174 @@
+package org.dfra.sim.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.m12.M12PlusImpl;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent.NewReading;
+import org.dfra.event.Subscription;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The real driver examines and mends the emulated receiver, and lets it rest. */
+@Timeout(60)
+class M12ExaminationTest {
+
+  private static final GeoPosition PLACE = new GeoPosition(52.91, 6.86, 55);
+
+  private final InstantSource clock = fastClock(20);
+  private M12Emulator emulator;
+  private Relay relay;
+  private M12PlusImpl gps;
+
+  @BeforeEach
+  void start() throws IOException {
+    emulator = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), clock);
+    emulator.start();
+    relay = new Relay(emulator.port());
+    gps =
+        new M12PlusImpl(
+            new ModuleContext(
+                "atrv1",
+                "gps_front",
+                Parameters.of("atrv1/gps_front", Map.of("link", relay.url(), "idle_rate", "5")),
+                clock));
+    gps.start();
+    awaitReadiness(Readiness.READY);
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    gps.close();
+    relay.close();
+    emulator.close();
+  }
+
+  @Test
+  void passesItsTestsWhenAllIsWell() {
+    assertThat(gps.tests()).containsExactly("link", "identification", "positions", "antenna");
+    for (String test : gps.tests()) {
+      assertThat(gps.test(test)).as(test).matches(Diagnosis::passed);
+    }
+    assertThat(gps.test("identification").finding()).isEqualTo("it says it is P283T12T11");
+    assertThat(gps.preconditions().get(0))
+        .hasToString(
+            "Precondition[quantity=temperature of the receiver, least=-40.0, most=85.0, unit=°C]");
+  }
+
+  @Test
+  void findsASilentReceiver() {
+    relay.silence(true);
+    assertThat(gps.test("identification").finding())
+        .isIn(
+            "it has not answered @@Cj within 3 s",
+            "the link is not open: " + relay.url() + ": no position frame for 5 s");
+    relay.silence(false);
+  }
+
+  @Test
+  void findsACutLinkAndReopensIt() {
+    relay.cut();
+    awaitReadiness(Readiness.INITIALIZING);
+    assertThat(gps.test("link").passed()).isFalse();
+    assertThat(gps.test("positions").finding()).startsWith("the link is not open: ");
+    relay.restore();
+    Diagnosis mended = gps.recover("reopen_link");
+    assertThat(mended).as(mended.finding()).matches(Diagnosis::passed);
+    awaitReadiness(Readiness.READY);
+  }
+
+  @Test
+  void reopensALinkThatIsWell() {
+    Diagnosis reopened = gps.recover("reopen_link");
+    assertThat(reopened).as(reopened.finding()).matches(Diagnosis::passed);
+    assertThat(gps.history().failures()).isEqualTo(1);
+    awaitReadiness(Readiness.READY);
+  }
+
+  @Test
+  void reinitialisesTheReceiver() {
+    Diagnosis mended = gps.recover("reinitialise");
+    assertThat(mended).as(mended.finding()).matches(Diagnosis::passed);
+    assertThat(mended.finding()).contains("set to its defaults");
+    awaitReadiness(Readiness.READY);
+    assertThat(gps.test("positions").passed()).isTrue();
+  }
+
+  @Test
+  void restsWhenItsLastClientIsGoneAndComesBackWithTheNext() throws Exception {
+    assertThat(gps.updateRate()).as("before its first client").isEqualTo(1);
+    ModuleLease lease = gps.use(Duration.ofSeconds(10));
+    assertThat(gps.readiness()).isEqualTo(Readiness.ACTIVE);
+    lease.close();
+    assertThat(gps.readiness()).isEqualTo(Readiness.READY);
+    assertThat(gps.updateRate()).isEqualTo(0.2);
+    assertPeriod(5);
+    assertThat(gps.readiness()).as("a rare position is no missing one").isEqualTo(Readiness.READY);
+    List<Instant> fixes = new CopyOnWriteArrayList<>();
+    try (Subscription unused = listen(fixes)) {
+      assertThat(gps.updateRate()).isEqualTo(1);
+      await().until(() -> fixes.size() >= 6);
+      assertThat(gps.readiness()).isEqualTo(Readiness.ACTIVE);
+      assertThat(Duration.between(fixes.get(4), fixes.get(5))).isEqualTo(Duration.ofSeconds(1));
+    }
+    gps.setParameter("idle_rate", "3");
+    assertThat(gps.updateRate()).isEqualTo(1 / 3.0);
+    assertPeriod(3);
+    gps.setParameter("idle_rate", "1");
+    gps.setParameter("rate", "2");
+    assertThat(gps.updateRate()).as("never more often than at work").isEqualTo(0.5);
+  }
+
+  /** Waits for two positions in a row that are so far apart, without becoming a client. */
+  private void assertPeriod(int seconds) {
+    await()
+        .atMost(Duration.ofSeconds(10))
+        .until(
+            () -> {
+              Instant first = gps.fix().utc();
+              await().until(() -> !gps.fix().utc().equals(first));
+              return Duration.between(first, gps.fix().utc()).equals(Duration.ofSeconds(seconds));
+            });
+  }
+
+  private Subscription listen(List<Instant> fixes) {
+    return gps.subscribe(
+        delivery -> {
+          if (delivery.event() instanceof NewReading reading
+              && reading.reading() instanceof GpsFix fix) {
+            fixes.add(fix.utc());
+          }
+        },
+        DeliveryPolicy.keepLast(100));
+  }
+
+  private void awaitReadiness(Readiness expected) {
+    await()
+        .atMost(Duration.ofSeconds(20))
+        .pollInterval(Duration.ofMillis(5))
+        .until(gps::readiness, expected::equals);
+  }
+
+  private static InstantSource fastClock(int speed) {
+    long begin = System.nanoTime();
+    Instant origin = Instant.parse("2026-01-21T07:33:29Z");
+    return () -> origin.plusNanos((System.nanoTime() - begin) * speed);
+  }
+}

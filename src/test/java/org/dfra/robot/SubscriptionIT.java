@@ -1,0 +1,161 @@
+package org.dfra.robot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dfra.core.config.RobotXml;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.Subscription;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.History;
+import org.dfra.module.Incident;
+import org.dfra.module.Readiness;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.sim.device.M12Emulator;
+import org.dfra.sim.device.M12Settings;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A client listens to a receiver whose group, a process of its own, is killed and stopped. */
+@Timeout(120)
+class SubscriptionIT {
+
+  private static final String HOST = "127.0.0.1";
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+  /** The requirement. */
+  private static final Duration BACK = Duration.ofSeconds(5);
+
+  @TempDir Path folder;
+
+  private LivingPhoenix phoenix;
+  private M12Emulator receiver;
+  private JiniModuleDirectory directory;
+  private GPSSensor gps;
+  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    receiver =
+        new M12Emulator(
+            M12Settings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
+    receiver.start();
+    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    int port = LivingPhoenix.freePort();
+    Path xml = folder.resolve("robot.xml");
+    Files.writeString(
+        xml,
+        """
+        <robot xmlns="urn:dfra:robot:1" name="zeta" host="127.0.0.1">
+          <group name="lookup"><registrar port="%d"/></group>
+          <group name="gps">
+            <module name="gps_front" server="org.dfra.river.server.GPSServer"
+                proxy="org.dfra.river.proxy.GPSProxy"
+                driver="org.dfra.drivers.gps.m12.M12PlusImpl">
+              <parameter name="link" value="%s"/>
+            </module>
+          </group>
+        </robot>
+        """
+            .formatted(port, receiver.url()));
+    List<RobotBootstrap.Service> unused =
+        new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
+    phoenix.note();
+    directory = new JiniModuleDirectory(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
+    gps = directory.findFirst(ModuleQuery.of(GPSSensor.class), PATIENCE).orElseThrow().module();
+    assertThat(gps.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    directory.close();
+    phoenix.close();
+    receiver.close();
+  }
+
+  @Test
+  void fixesComeAgainAfterKillMinusNineWithoutAnyClientCode() throws Exception {
+    try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10));
+        ModuleLease lease = gps.use(Duration.ofSeconds(30))) {
+      await().atMost(PATIENCE).until(() -> fixes(0) >= 2);
+      Delivery last = heard.get(heard.size() - 1);
+
+      Instant killed = Instant.now();
+      phoenix.kill("zeta.gps");
+      await()
+          .atMost(BACK.plusSeconds(10))
+          .pollInterval(Duration.ofMillis(20))
+          .until(() -> heard.get(heard.size() - 1).epoch() > last.epoch());
+      Duration back = Duration.between(killed, Instant.now());
+      phoenix.note();
+      await().atMost(PATIENCE).until(() -> fixes(last.epoch() + 1) >= 2);
+
+      System.out.printf(
+          "listening again %.1f s after kill -9; %d events received, %d lost%n",
+          back.toMillis() / 1e3, subscription.received(), subscription.lost());
+      assertThat(back).isLessThan(BACK);
+      assertThat(subscription.lost()).as("what nobody was told at its start").isPositive();
+      await().atMost(BACK).until(lease::isLive);
+      await().atMost(BACK).until(() -> gps.readiness() == Readiness.ACTIVE);
+      History history = gps.history();
+      assertThat(history.activations()).isEqualTo(2);
+      assertThat(history.recent())
+          .extracting(Incident::kind)
+          .containsSubsequence(
+              Incident.Kind.ACTIVATION, Incident.Kind.FAILURE, Incident.Kind.ACTIVATION);
+    }
+    await().atMost(PATIENCE).until(() -> gps.readiness() == Readiness.READY);
+    assertThat(gps.updateRate()).as("nobody needs it any more").isEqualTo(0.1);
+  }
+
+  @Test
+  void aStoppedServerIsNoticedAndGoesOnWhenItCan() throws Exception {
+    try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10))) {
+      await().atMost(PATIENCE).until(() -> fixes(0) >= 1);
+      long pid = phoenix.group("zeta.gps").pid();
+      Instant stopped = Instant.now();
+      signal("STOP", pid);
+      try {
+        await()
+            .atMost(Duration.ofSeconds(10))
+            .pollInterval(Duration.ofMillis(20))
+            .until(() -> subscription.interruptedSince().isPresent());
+        System.out.printf(
+            "a stopped server was noticed after %.1f s%n",
+            Duration.between(stopped, Instant.now()).toMillis() / 1e3);
+      } finally {
+        signal("CONT", pid);
+      }
+      int before = fixes(0);
+      await().atMost(PATIENCE).until(() -> subscription.interruptedSince().isEmpty());
+      await().atMost(PATIENCE).until(() -> fixes(0) > before);
+    }
+  }
+
+  private int fixes(long fromEpoch) {
+    return (int)
+        heard.stream()
+            .filter(each -> each.kind() == Kind.READING && each.epoch() >= fromEpoch)
+            .count();
+  }
+
+  private static void signal(String name, long pid) throws Exception {
+    Process kill = new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start();
+    assertThat(kill.waitFor()).isZero();
+  }
+}
