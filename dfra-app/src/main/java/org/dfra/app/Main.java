@@ -47,6 +47,7 @@ public final class Main {
   /** The command line, for those who ask it about itself. */
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
+    line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());
     return line;
   }

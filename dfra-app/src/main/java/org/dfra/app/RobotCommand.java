@@ -2,6 +2,7 @@ package org.dfra.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
@@ -15,6 +16,7 @@ import org.dfra.river.phoenix.GroupStatus;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -25,17 +27,19 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Phoenix is started where none answers, and stays when this command ends.",
-      "Running it again does no harm.",
+      "Running it again does no harm; --down ends phoenix and every group of this",
+      "host."
     })
 final class RobotCommand implements Callable<Integer> {
 
   private static final Duration PHOENIX_PATIENCE = Duration.ofSeconds(30);
+  private static final int LAST_PORT = 65_535;
 
   @Parameters(
       paramLabel = "ROBOT.XML",
       arity = "0..1",
-      description = "The robot's description (default: the one of atrv1 that comes with DFRA).")
-  private Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
+      description = "The robot's description, e.g. config/robots/atrv1.xml.")
+  private Path xml = Path.of("config", "robots", "atrv1.xml");
 
   @Option(names = "--down", description = "End phoenix and every group of this host.")
   private boolean down;
@@ -65,24 +69,42 @@ final class RobotCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException, ActivationException {
+    check("--port", port, 1);
+    check("--registry-port", registryPort, -1);
+    return down ? takeDown() : bringUp();
+  }
+
+  private void check(String option, int value, int least) {
+    if (value < least || value > LAST_PORT) {
+      throw new ParameterException(
+          spec.commandLine(),
+          option + "=" + value + " is not a port from " + least + " to " + LAST_PORT);
+    }
+  }
+
+  private int takeDown() throws IOException {
     PrintWriter out = spec.commandLine().getOut();
-    RobotDescription robot = RobotXml.read(xml);
-    PhoenixProcess phoenix =
-        new PhoenixProcess(
-            HostAddress.resolve(robot.host()), port, registryPort, state.toAbsolutePath());
-    if (down) {
-      if (!phoenix.answers()) {
-        out.println("No phoenix answers at " + phoenix.host() + ":" + port + "; nothing is up.");
-        return 0;
-      }
-      phoenix.shutdown(PHOENIX_PATIENCE);
-      out.println("Phoenix and its groups have ended.");
+    PhoenixProcess phoenix = phoenix(lastHost());
+    if (!phoenix.answers()) {
+      out.println("No phoenix answers on port " + port + "; nothing is up.");
       return 0;
     }
+    phoenix.shutdown(PHOENIX_PATIENCE);
+    out.println("Phoenix and its groups have ended.");
+    return 0;
+  }
+
+  private int bringUp() throws IOException, ActivationException {
+    PrintWriter out = spec.commandLine().getOut();
+    RobotDescription robot = RobotXml.read(xml);
+    PhoenixProcess phoenix = phoenix(lastHost());
     if (phoenix.answers()) {
-      out.println("Phoenix answers at " + phoenix.host() + ":" + port + ".");
+      out.println("Phoenix answers on port " + port + " of " + phoenix.host() + ".");
     } else {
+      // Its address is in every proxy that brings a module back, so others must reach it too.
+      phoenix = phoenix(HostAddress.resolve(robot.host()));
       long pid = phoenix.start(PHOENIX_PATIENCE).pid();
+      Files.writeString(hostFile(), phoenix.host());
       out.println("Started phoenix: process " + pid + ", log " + phoenix.log() + ".");
     }
     out.flush();
@@ -94,5 +116,18 @@ final class RobotCommand implements Callable<Integer> {
           "Group " + group.name() + ": process " + group.pid() + ", log " + group.output() + ".");
     }
     return 0;
+  }
+
+  private PhoenixProcess phoenix(String host) {
+    return new PhoenixProcess(host, port, registryPort, state.toAbsolutePath());
+  }
+
+  /** The host of the phoenix that was last started with this state. */
+  private String lastHost() throws IOException {
+    return Files.exists(hostFile()) ? Files.readString(hostFile()).strip() : "localhost";
+  }
+
+  private Path hostFile() {
+    return state.resolve("phoenix.host");
   }
 }

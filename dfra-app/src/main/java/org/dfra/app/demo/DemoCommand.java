@@ -56,7 +56,10 @@ public final class DemoCommand implements Callable<Integer> {
     if (demo == null) {
       throw new ParameterException(
           spec.commandLine(),
-          "there is no demonstration \"" + chosen + "\"; there is " + DEMOS.keySet());
+          "there is no demonstration \""
+              + chosen
+              + "\"; there is "
+              + String.join(", ", DEMOS.keySet()));
     }
     Narration narration = new Narration(out, System::nanoTime);
     boolean well = demo.apply(narration).run();

@@ -21,7 +21,8 @@ public final class HostAddress {
    *
    * @param wanted an address or name, or {@link #AUTO}: the first IPv4 address of an interface that
    *     is up, real and not the loopback; the loopback where there is no other
-   * @throws ConfigurationException if the name is not known or is not an address of this host
+   * @throws ConfigurationException if the name is not known, is not an address of this host, or is
+   *     not the loopback's but stands for it here
    */
   public static String resolve(String wanted) {
     return wanted.equals(AUTO) ? choose() : check(wanted);
@@ -74,10 +75,27 @@ public final class HostAddress {
                 + address.getHostAddress()
                 + ", which is no address of this machine; name one that is, or auto");
       }
+      if (address.isLoopbackAddress() && !saysLoopback(wanted)) {
+        // Debian gives every machine's own name to 127.0.1.1 in /etc/hosts.
+        throw new ConfigurationException(
+            "host "
+                + wanted
+                + " is "
+                + address.getHostAddress()
+                + " here, which no other machine reaches; name an address of an interface, or auto,"
+                + " or localhost where only this machine is meant");
+      }
       return wanted;
     } catch (UnknownHostException | SocketException e) {
       throw new ConfigurationException(
           "host " + wanted + " is not known; name an address of this machine, or auto", e);
     }
+  }
+
+  /** Whether it is an address, or the name that means the loopback everywhere. */
+  private static boolean saysLoopback(String wanted) {
+    return wanted.equalsIgnoreCase("localhost")
+        || wanted.indexOf(':') >= 0
+        || wanted.chars().allMatch(c -> c == '.' || Character.isDigit(c));
   }
 }

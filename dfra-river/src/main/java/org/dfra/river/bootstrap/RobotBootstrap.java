@@ -17,11 +17,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import net.jini.admin.JoinAdmin;
 import net.jini.core.entry.Entry;
+import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.entry.Entries;
@@ -41,6 +46,14 @@ import org.slf4j.LoggerFactory;
 public final class RobotBootstrap {
 
   private static final Logger LOG = LoggerFactory.getLogger(RobotBootstrap.class);
+
+  /** How a group begins to tell that a constructor threw something. */
+  private static final Pattern THROWN =
+      Pattern.compile("[\\w.$]+: its constructor failed: [\\w.$]+(?:Exception|Error): ");
+
+  /** How a group begins to tell that there is no such class. */
+  private static final Pattern MISSING =
+      Pattern.compile("([\\w.$]+): its class is not on the group's class path: ");
 
   private final PhoenixProcess phoenix;
   private final RobotDescription robot;
@@ -78,7 +91,7 @@ public final class RobotBootstrap {
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
     for (GroupDescription group : robot.groups()) {
       if (group.registrar().isPresent()) {
-        Service registrar = activate(registrar(loader, group, group.registrar().get()));
+        Service registrar = bringUp(loader, group, group.registrar().get());
         showPersona(registrar);
         services.add(registrar);
       }
@@ -89,7 +102,8 @@ public final class RobotBootstrap {
       for (ModuleDescription module : group.modules()) {
         services.add(
             activate(
-                loader.module(groupId, group.name(), module, host, locators(), multicastGroups())));
+                loader.module(groupId, group.name(), module, host, locators(), multicastGroups()),
+                module.place()));
       }
     }
     return services;
@@ -159,7 +173,8 @@ public final class RobotBootstrap {
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
     return activate(
-        loader.module(loader.group(home), group, module, host, locators(), multicastGroups()));
+        loader.module(loader.group(home), group, module, host, locators(), multicastGroups()),
+        module.place());
   }
 
   /**
@@ -177,7 +192,7 @@ public final class RobotBootstrap {
     Service service =
         loader.module(old.groupId(), old.group(), module, host, locators(), multicastGroups());
     end(running, ModuleAdmin::deactivate);
-    return activate(service);
+    return activate(service, module.place());
   }
 
   /**
@@ -245,15 +260,58 @@ public final class RobotBootstrap {
     }
   }
 
-  private Service activate(Service service) throws ActivationException, RemoteException {
+  private static Service activate(Service service, Place place)
+      throws ActivationException, RemoteException {
     try {
       service.id().activate(false);
     } catch (ActivationException e) {
       // Without the cause: an activation exception's message repeats its cause's.
-      throw new ActivationException(service.name() + " did not start: " + e.getMessage());
+      String known = place + ": module " + service.name() + ": ";
+      throw new ActivationException(
+          place + ": " + service.name() + " did not start: " + reason(e).replace(known, ""));
     }
     LOG.info("{} is up in group {}.", service.name(), service.group());
     return service;
+  }
+
+  private Service bringUp(
+      BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
+      throws ActivationException, IOException {
+    Service service = activate(registrar(loader, group, description), description.place());
+    try {
+      settle((DiscoveryAdmin) service.id().activate(false), description);
+      return service;
+    } catch (IOException e) {
+      throw new IOException(description.place() + ": " + service.name() + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Reggie reads its port and groups only once in its life; what changed since is told to it. */
+  private void settle(DiscoveryAdmin registrar, RegistrarDescription description)
+      throws IOException {
+    if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {
+      registrar.setUnicastPort(description.port());
+    }
+    Set<String> groups = Set.copyOf(robot.lookupGroups());
+    if (!groups.equals(Set.copyOf(Arrays.asList(registrar.getMemberGroups())))) {
+      registrar.setMemberGroups(groups.toArray(String[]::new));
+    }
+  }
+
+  /**
+   * Why something did not start, without the names of the classes in which that happened; these are
+   * in the group's log.
+   */
+  private static String reason(ActivationException failure) {
+    String message = String.valueOf(failure.getMessage());
+    Matcher missing = MISSING.matcher(message);
+    if (missing.lookingAt()) {
+      return "server class "
+          + missing.group(1)
+          + " is not on the group's class path; add its jar or mend the name";
+    }
+    Matcher thrown = THROWN.matcher(message);
+    return thrown.lookingAt() ? message.substring(thrown.end()) : message;
   }
 
   private Service registrar(

@@ -24,6 +24,7 @@ import java.rmi.activation.UnknownObjectException;
 import java.util.Objects;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.security.proxytrust.TrustEquivalence;
@@ -53,7 +54,7 @@ public final class ResurrectingHandler
   private final ActivationID id;
   private final @Nullable MethodConstraints constraints;
   private @Nullable Remote live; // guarded by this
-  private transient @Nullable FutureTask<Remote> activation; // guarded by this
+  private transient @Nullable Activation activation; // guarded by this
 
   ResurrectingHandler(ActivationID id, @Nullable Remote live) {
     this(id, constrain(live, null), null);
@@ -115,6 +116,8 @@ public final class ResurrectingHandler
         }
       } catch (MarshalException | ServerError | ServerException e) {
         throw e;
+      } catch (CallInterruptedException e) {
+        throw e; // neither the object's fault nor to be repeated
       } catch (DeadlineExceededException e) {
         forget(target);
         throw e;
@@ -149,29 +152,29 @@ public final class ResurrectingHandler
     }
   }
 
-  /** The live proxy that replaces {@code dead}: one that another caller got, or a new one. */
+  /** An activation that is under way, and whether it was asked for with force. */
+  private record Activation(FutureTask<Remote> task, boolean force) {}
+
+  /**
+   * The live proxy that replaces {@code dead}: one that another caller got, or a new one.
+   *
+   * <p>The activation runs on a thread of its own, so that none of those who wait for it can spoil
+   * it for the others by being interrupted.
+   */
   private Remote activate(@Nullable Remote dead, boolean force) throws Exception {
-    FutureTask<Remote> shared;
-    boolean mine = false;
+    Activation shared;
     synchronized (this) {
       if (live != null && !live.equals(dead)) {
         return live;
       }
-      if (activation == null) {
-        activation = new FutureTask<>(() -> askActivator(force));
-        mine = true;
+      // One without force may bring the same dead proxy again, so it is no help to who needs force.
+      if (activation == null || (force && !activation.force())) {
+        activation = begin(force);
       }
       shared = activation;
     }
-    if (mine) {
-      shared.run();
-    }
     try {
-      Remote found = shared.get();
-      synchronized (this) {
-        live = found;
-      }
-      return found;
+      return shared.task().get();
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       if (cause instanceof Exception failure) {
@@ -181,10 +184,29 @@ public final class ResurrectingHandler
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CallInterruptedException("activating " + id, false);
+    }
+  }
+
+  private Activation begin(boolean force) {
+    AtomicReference<@Nullable Activation> self = new AtomicReference<>();
+    Activation begun = new Activation(new FutureTask<>(() -> bringBack(force, self)), force);
+    self.set(begun);
+    CallThreads.run(begun.task());
+    return begun;
+  }
+
+  /** Asks the activator; what it answers counts before the activation is over. */
+  private Remote bringBack(boolean force, AtomicReference<@Nullable Activation> self)
+      throws RemoteException {
+    @Nullable Remote found = null;
+    try {
+      found = askActivator(force);
+      return found;
     } finally {
-      if (mine) {
-        synchronized (this) {
+      synchronized (this) {
+        if (activation == self.get()) {
           activation = null;
+          live = found != null ? found : live;
         }
       }
     }
@@ -207,8 +229,10 @@ public final class ResurrectingHandler
       }
       return Objects.requireNonNull(constrain(found, constraints));
     } catch (UnknownObjectException e) {
-      throw withCause(
-          new NoSuchObjectException("the activation system does not know the object any more"), e);
+      NoSuchObjectException gone =
+          new NoSuchObjectException("the activation system does not know the object any more");
+      gone.detail = e; // a RemoteException takes no cause by initCause
+      throw gone;
     } catch (ActivationException e) {
       throw new ActivateFailedException("the object could not be activated", e);
     } catch (ActivateFailedException e) {
@@ -218,11 +242,6 @@ public final class ResurrectingHandler
     } catch (RemoteException e) {
       throw new ConnectIOException("the activation system did not answer", e);
     }
-  }
-
-  private static <T extends Throwable> T withCause(T exception, Throwable cause) {
-    exception.initCause(cause);
-    return exception;
   }
 
   private Object constrained(Object proxy, @Nullable MethodConstraints wanted) {

@@ -33,6 +33,25 @@ public final class SuppliedConfiguration extends AbstractConfiguration {
 
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
+  public @Nullable Object getEntry(
+      String component, String name, Class type, @Nullable Object fallback)
+      throws ConfigurationException {
+    return getEntry(component, name, type, fallback, NO_DATA);
+  }
+
+  /** What is not supplied here is asked of {@code first}, with the asker's own default. */
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  public @Nullable Object getEntry(
+      String component, String name, Class type, @Nullable Object fallback, @Nullable Object data)
+      throws ConfigurationException {
+    return entries.containsKey(component + "." + name)
+        ? super.getEntry(component, name, type, fallback, data)
+        : first.getEntry(component, name, type, fallback, data);
+  }
+
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
   protected @Nullable Object getEntryInternal(
       String component, String name, Class type, @Nullable Object data)
       throws ConfigurationException {

@@ -18,7 +18,6 @@ import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import java.util.concurrent.locks.ReentrantReadWriteLock;
 import net.jini.activation.ActivationGroup;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
@@ -57,14 +56,15 @@ public final class ActivationGroupImpl extends ActivationGroup {
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
 
-  /** Read: make and drop objects. Write: find that none is left. */
-  private final transient ReentrantReadWriteLock leaving = new ReentrantReadWriteLock();
+  /** Held only for a moment, never while an object is made or anybody is called. */
+  private final transient Object gate = new Object();
 
-  private transient boolean left; // guarded by leaving
+  private transient int making; // calls that may give the group an object; guarded by gate
+  private transient boolean left; // guarded by gate
 
   /** Where an object is made, once; the strong reference keeps JERI serving it. */
   private static final class Slot {
-    @Nullable Remote object; // guarded by this
+    volatile @Nullable Remote object; // written under this
     @Nullable MarshalledObject<? extends Remote> proxy; // guarded by this
   }
 
@@ -109,11 +109,8 @@ public final class ActivationGroupImpl extends ActivationGroup {
     if (!id.equals(desc.getGroupID())) {
       throw new ActivationException("the object's descriptor is of another group");
     }
-    leaving.readLock().lock();
+    enter();
     try {
-      if (left) {
-        throw new InactiveGroupException("the group makes no more objects");
-      }
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
@@ -122,7 +119,22 @@ public final class ActivationGroupImpl extends ActivationGroup {
         return Objects.requireNonNull(slot.proxy);
       }
     } finally {
-      leaving.readLock().unlock();
+      leave();
+    }
+  }
+
+  private void enter() throws InactiveGroupException {
+    synchronized (gate) {
+      if (left) {
+        throw new InactiveGroupException("the group makes no more objects");
+      }
+      making++;
+    }
+  }
+
+  private void leave() {
+    synchronized (gate) {
+      making--;
     }
   }
 
@@ -197,14 +209,16 @@ public final class ActivationGroupImpl extends ActivationGroup {
     if (slot == null) {
       throw new UnknownObjectException("the object is not active in this group");
     }
+    @Nullable Exception failed = null;
     synchronized (slot) {
-      if (slots.get(object) != slot || slot.object == null) {
+      @Nullable Remote active = slot.object;
+      if (slots.get(object) != slot || active == null) {
         throw new UnknownObjectException("the object is not active in this group");
       }
       boolean unexported =
           itsExporter != null
               ? itsExporter.unexport(false)
-              : UnicastRemoteObject.unexportObject(slot.object, false);
+              : UnicastRemoteObject.unexportObject(active, false);
       if (!unexported) {
         return false;
       }
@@ -212,12 +226,20 @@ public final class ActivationGroupImpl extends ActivationGroup {
       try {
         super.inactiveObject(object);
       } catch (UnknownObjectException e) {
-        LOG.debug("{} was unregistered before it became inactive.", object);
+        LOG.debug("Unregistered meanwhile, so nobody needs to know.", e);
+      } catch (ActivationException | RemoteException e) {
+        failed = e;
       }
+      // Whoever knows of it: nobody can call it any more, so its proxy must not be given out.
       slot.object = null;
       slot.proxy = null;
     }
     leaveIfEmpty();
+    if (failed instanceof RemoteException remote) {
+      throw remote;
+    } else if (failed instanceof ActivationException refused) {
+      throw refused;
+    }
     return true;
   }
 
@@ -230,35 +252,39 @@ public final class ActivationGroupImpl extends ActivationGroup {
     } catch (java.io.IOException e) {
       throw new ActivationException("the proxy of " + itself + " cannot be marshalled", e);
     }
-    Slot slot = slots.computeIfAbsent(object, key -> new Slot());
-    synchronized (slot) {
-      if (slot.object != null) {
-        return; // known: activating twice is no fault
+    enter();
+    try {
+      Slot slot = slots.computeIfAbsent(object, key -> new Slot());
+      synchronized (slot) {
+        if (slot.object != null) {
+          return; // known: activating twice is no fault
+        }
+        slot.object = itself;
+        slot.proxy = marshalled;
       }
-      slot.object = itself;
-      slot.proxy = marshalled;
+    } finally {
+      leave();
     }
     super.activeObject(object, marshalled);
   }
 
+  /** While an object is being made the group stays, whatever becomes of that object. */
   private void leaveIfEmpty() throws ActivationException, RemoteException {
-    leaving.writeLock().lock();
-    try {
-      slots.values().removeIf(ActivationGroupImpl::isEmpty);
-      if (left || !slots.isEmpty()) {
+    synchronized (gate) {
+      if (left || making > 0) {
+        return;
+      }
+      slots.values().removeIf(slot -> slot.object == null);
+      if (!slots.isEmpty()) {
         return;
       }
       left = true;
-    } finally {
-      leaving.writeLock().unlock();
     }
-    inactiveGroup();
-    new Thread(this::end, "group-end").start();
-  }
-
-  private static boolean isEmpty(Slot slot) {
-    synchronized (slot) {
-      return slot.object == null;
+    try {
+      inactiveGroup();
+    } finally {
+      // Even if nobody hears of it: this machine makes no more objects.
+      new Thread(this::end, "group-end").start();
     }
   }
 

@@ -26,8 +26,7 @@ final class ActivatorService implements Activator {
   /** The object of an ID, where the ID is one of this daemon's. */
   static ActivatableObject object(Daemon daemon, ActivationID id) throws UnknownObjectException {
     if (!(id instanceof JeriActivationID known)) {
-      throw new UnknownObjectException(
-          "an ID of " + id.getClass().getName() + " is not one of phoenix's");
+      throw new UnknownObjectException("the ID " + id + " is not one of phoenix's");
     }
     return daemon.object(known.uid());
   }

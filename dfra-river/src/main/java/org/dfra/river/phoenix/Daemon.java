@@ -19,13 +19,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -47,7 +47,13 @@ final class Daemon {
   private final Journal journal;
   private final Map<ActivationGroupID, Group> groups = new ConcurrentHashMap<>();
   private final Map<UID, ActivatableObject> objects = new ConcurrentHashMap<>();
+
+  /** One permit for each group that is starting, until it has reported or ended. */
   private final Semaphore launches;
+
+  /** Read: start a process. Write: know that none is being started. */
+  private final ReentrantReadWriteLock starting = new ReentrantReadWriteLock();
+
   private final ScheduledExecutorService timer =
       Executors.newSingleThreadScheduledExecutor(task -> thread(task, "phoenix-timer"));
   private final ExecutorService work =
@@ -116,7 +122,7 @@ final class Daemon {
             found ->
                 groups.values().stream()
                     .filter(group -> group.name.equals(found.group()))
-                    .anyMatch(group -> !group.process().equals(Optional.of(found.process()))))
+                    .anyMatch(group -> group.process().filter(found::isOrIsUnder).isEmpty()))
         .forEach(
             found -> {
               LOG.warn(
@@ -128,9 +134,13 @@ final class Daemon {
             });
   }
 
+  /** Tells the daemon the activator that its IDs carry. */
+  void exported(Activator itsActivator) {
+    activator = itsActivator;
+  }
+
   /** Restarts what is marked so and is not active. Called when the services are exported. */
-  void open(Activator exported) {
-    activator = exported;
+  void open() {
     groups.values().forEach(group -> restartLater(group, Duration.ZERO));
   }
 
@@ -239,7 +249,7 @@ final class Daemon {
 
   /** The activation ID of a registered object. */
   ActivationID activationID(UID uid) {
-    return new JeriActivationID(Objects.requireNonNull(activator, "not open yet"), uid);
+    return new JeriActivationID(Objects.requireNonNull(activator, "not exported yet"), uid);
   }
 
   /** Every group's descriptor. */
@@ -276,10 +286,19 @@ final class Daemon {
 
   // Processes
 
-  /** Starts a process for an incarnation of a group, at most so many at once as configured. */
+  /**
+   * Starts a process for an incarnation of a group, when it is its turn: at most so many groups
+   * start at once as configured. The turn ends with {@link #started}.
+   *
+   * @throws IOException if the process cannot be started
+   * @throws ActivationException if it must not be, or cannot be recorded
+   */
   void launch(Group group, long incarnation) throws IOException, ActivationException {
     launches.acquireUninterruptibly();
+    starting.readLock().lock();
+    boolean handedOver = false;
     try {
+      requireRunning();
       journal.commit(new Change.Launching(group.id, incarnation));
       ActivationGroupDesc desc = withDefaults(groupDesc(group.id));
       Process process =
@@ -289,18 +308,27 @@ final class Daemon {
         ProcessIdentity identity = ProcessIdentity.of(process.toHandle());
         journal.commit(new Change.Launched(group.id, identity));
         group.launched(identity);
+        handedOver = true;
         watch(group, identity, process);
         after(configuration.groupTimeout(), () -> group.endUnlessReported(identity));
         GroupProcess.feed(process, group.id, desc, incarnation);
       } catch (IOException e) {
         LOG.debug("Group {} ended before it could be told what it is.", group.name, e);
-      } catch (ActivationException e) {
+      } catch (ActivationException | RuntimeException e) {
         process.destroyForcibly();
         throw e;
       }
     } finally {
-      launches.release();
+      starting.readLock().unlock();
+      if (!handedOver) {
+        launches.release();
+      }
     }
+  }
+
+  /** A group that was launched starts no more: it has reported, or ended. */
+  void started() {
+    launches.release();
   }
 
   private ActivationGroupDesc withDefaults(ActivationGroupDesc desc) throws IOException {
@@ -383,15 +411,34 @@ final class Daemon {
   void stop(Duration patience) {
     running = false;
     groups.values().forEach(Group::wake);
+    awaitNoLaunch(patience);
     List<ProcessIdentity> processes =
         groups.values().stream().flatMap(g -> g.process().stream()).toList();
     processes.forEach(process -> process.destroy(false));
+    long end = System.nanoTime() + patience.toNanos();
     for (ProcessIdentity process : processes) {
-      if (!process.awaitDeath(patience)) {
-        process.destroy(true);
-        process.awaitDeath(patience);
-      }
+      // The patience is for all together: ten that do not answer cost no more than one.
+      process.awaitDeath(Duration.ofNanos(Math.max(0, end - System.nanoTime())));
     }
+    processes.forEach(process -> process.destroy(true));
+    processes.forEach(process -> process.awaitDeath(patience));
+    abandon();
+  }
+
+  /** A launch that has begun is completed, so that its process is known; no other begins. */
+  private void awaitNoLaunch(Duration patience) {
+    try {
+      if (starting.writeLock().tryLock(patience.toNanos(), TimeUnit.NANOSECONDS)) {
+        starting.writeLock().unlock();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Ends the daemon's own threads and closes the journal; the groups' processes live on. */
+  void abandon() {
+    running = false;
     timer.shutdownNow();
     work.shutdownNow();
     try {

@@ -26,6 +26,8 @@ final class Group {
 
   private static final Logger LOG = LoggerFactory.getLogger(Group.class);
 
+  private static final Duration NOTICE = Duration.ofSeconds(1);
+
   final ActivationGroupID id;
   final String name;
 
@@ -39,6 +41,7 @@ final class Group {
   private @Nullable ActivationInstantiator instantiator;
   private boolean adopted;
   private boolean forgotten;
+  private boolean hasTurn; // holds one of the daemon's turns to start
   private String lastFailure = "";
 
   Group(Daemon daemon, ActivationGroupID id, String name, long incarnation) {
@@ -73,11 +76,13 @@ final class Group {
             throw new ActivationException("group " + name + " " + lastFailure);
           }
           requireNotHeldOff();
+          awaited = incarnation + 1;
           launch();
           continue;
         }
         if (state == State.STARTING) {
-          awaited = incarnation;
+          // One that a former daemon started may end because that one could not tell it all.
+          awaited = adopted ? -1 : incarnation;
         }
         if (nanos <= 0) {
           throw tooLong();
@@ -127,19 +132,26 @@ final class Group {
     lock.unlock();
     try {
       daemon.launch(this, mine);
-    } catch (IOException | ActivationException e) {
-      lock.lock();
-      try {
-        if (process == null) {
-          ended("could not be started: " + e.getMessage());
-        }
-      } finally {
-        lock.unlock();
-      }
+    } catch (IOException e) {
+      notLaunched("could not be started: " + e.getMessage());
       throw new ActivationException(
           "group " + name + " cannot be started: " + e.getMessage() + "; mend its command", e);
+    } catch (ActivationException | RuntimeException e) {
+      notLaunched("could not be started: " + e.getMessage());
+      throw new ActivationException("group " + name + " is not started: " + e.getMessage(), e);
     } finally {
       lock.lock();
+    }
+  }
+
+  private void notLaunched(String how) {
+    lock.lock();
+    try {
+      if (process == null) {
+        ended(how);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
@@ -148,6 +160,7 @@ final class Group {
     lock.lock();
     try {
       process = started;
+      hasTurn = true;
     } finally {
       lock.unlock();
     }
@@ -196,6 +209,7 @@ final class Group {
       daemon.journal().commit(new Change.Reported(id, new MarshalledObject<>(reporter)));
       instantiator = reporter;
       state = State.ACTIVE;
+      endTurn();
       changed.signalAll();
       LOG.info(
           "Group {} is up: incarnation {}, process {}.",
@@ -214,7 +228,7 @@ final class Group {
    *
    * @throws UnknownGroupException if it is not the process that was started last
    */
-  void leaves(long itsIncarnation) throws ActivationException {
+  void leaves(long itsIncarnation) throws UnknownGroupException {
     lock.lock();
     try {
       if (itsIncarnation != incarnation || state == State.IDLE) {
@@ -227,7 +241,11 @@ final class Group {
     }
   }
 
-  private void leave() throws ActivationException {
+  /**
+   * Where this cannot be recorded, nothing is lost: a daemon that is started later takes the
+   * process for an active one, asks it for an object, and hears the same.
+   */
+  private void leave() {
     if (state == State.LEAVING) {
       return;
     }
@@ -238,7 +256,18 @@ final class Group {
     if (process != null) {
       daemon.endLater(process);
     }
-    daemon.journal().commit(new Change.Left(id));
+    try {
+      daemon.journal().commit(new Change.Left(id));
+    } catch (ActivationException e) {
+      LOG.warn("That group {} ends is not recorded: {}", name, e.getMessage());
+    }
+  }
+
+  private void endTurn() {
+    if (hasTurn) {
+      hasTurn = false;
+      daemon.started();
+    }
   }
 
   /**
@@ -246,7 +275,7 @@ final class Group {
    *
    * @param unreachable whether its process is to be ended, since nobody can talk to it
    */
-  void unusable(Maker maker, boolean unreachable) throws ActivationException {
+  void unusable(Maker maker, boolean unreachable) {
     @Nullable ProcessIdentity condemned = null;
     lock.lock();
     try {
@@ -264,8 +293,24 @@ final class Group {
     if (condemned != null) {
       condemned.destroy(true);
       if (condemned.awaitDeath(daemon.configuration().groupTimeout())) {
+        awaitNotice(condemned);
         died(condemned, "could not be reached and was ended");
       }
+    }
+  }
+
+  /** Whoever watches the process knows better how it ended, and is about to tell. */
+  private void awaitNotice(ProcessIdentity dead) {
+    lock.lock();
+    try {
+      long nanos = NOTICE.toNanos();
+      while (nanos > 0 && dead.equals(process)) {
+        nanos = changed.awaitNanos(nanos);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      lock.unlock();
     }
   }
 
@@ -292,7 +337,8 @@ final class Group {
     process = null;
     instantiator = null;
     adopted = false;
-    lastFailure = how + "; see " + daemon.output(name);
+    endTurn();
+    lastFailure = how + "; see " + daemon.output(name) + " and the .vm.log beside it";
     changed.signalAll();
     if (crash) {
       crashes.crashed(how);

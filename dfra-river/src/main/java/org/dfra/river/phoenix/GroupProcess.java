@@ -102,7 +102,21 @@ final class GroupProcess {
   }
 
   /** A running process of a group. */
-  record Found(String group, ProcessIdentity process) {}
+  record Found(String group, ProcessIdentity process) {
+
+    /**
+     * Whether it is this process or was started by it: a command may be a script that runs the
+     * virtual machine, and a driver may run programs of its own.
+     */
+    boolean isOrIsUnder(ProcessIdentity other) {
+      return process.equals(other)
+          || Stream.iterate(
+                  ProcessHandle.of(process.pid()),
+                  Optional::isPresent,
+                  handle -> handle.flatMap(ProcessHandle::parent))
+              .anyMatch(handle -> handle.get().pid() == other.pid());
+    }
+  }
 
   /** The file that a group's process locks. */
   static Path lockFile(PhoenixConfiguration configuration, String group) {

@@ -52,13 +52,16 @@ public final class GroupVm {
       end(REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
     } catch (ClassNotFoundException e) {
       end(REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
+    } catch (RuntimeException | LinkageError e) {
+      e.printStackTrace();
+      end(REFUSED, "The group cannot be created: " + e);
     }
   }
 
   /** The lock is held by the process, so nothing refers to it any more. */
   @SuppressWarnings("CheckReturnValue")
   private static void own(Path lockFile) throws IOException {
-    Ownership.lock = GroupLock.take(lockFile);
+    Ownership.lock = GroupLock.take(lockFile, "this group");
   }
 
   /** Keeps the lock's channel reachable: a collected channel is closed, and the lock with it. */

@@ -21,15 +21,24 @@ final class Journal implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
 
+  private static final String LOCK = "phoenix.lock";
+
   private final Path folder;
+  private final GroupLock lock;
   private final int snapshotThreshold;
   private final Registrations registrations;
   private @Nullable ReliableLog log; // null: to be opened anew before the next change
   private int pending;
   private boolean closed;
 
-  private Journal(Path folder, int snapshotThreshold, JournalHandler recovered, ReliableLog log) {
+  private Journal(
+      Path folder,
+      GroupLock lock,
+      int snapshotThreshold,
+      JournalHandler recovered,
+      ReliableLog log) {
     this.folder = folder;
+    this.lock = lock;
     this.snapshotThreshold = snapshotThreshold;
     this.registrations = recovered.registrations();
     this.log = log;
@@ -39,23 +48,19 @@ final class Journal implements AutoCloseable {
    * Reads the journal of a folder, or begins one there.
    *
    * @param snapshotThreshold changes after which a new snapshot is written
-   * @throws IOException if it is damaged or the folder cannot be written
+   * @throws IOException if it is damaged, the folder cannot be written or another daemon uses it
    */
   static Journal open(Path folder, int snapshotThreshold) throws IOException {
     try {
       Files.createDirectories(folder);
-      JournalHandler handler = new JournalHandler();
-      ReliableLog log = new ReliableLog(folder.toString(), handler);
-      log.recover();
-      if (handler.droppedTornRecord()) {
-        LOG.warn(
-            "The last record of the journal in {} was torn; it was never acknowledged and is"
-                + " dropped.",
-            folder);
+      GroupLock lock = GroupLock.take(folder.resolve(LOCK), "this journal");
+      try {
+        return open(folder, lock, snapshotThreshold);
+      } catch (IOException | RuntimeException e) {
+        lock.close();
+        throw e;
       }
-      log.snapshot();
-      return new Journal(folder, snapshotThreshold, handler, log);
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException e) {
       throw new IOException(
           "The journal in "
               + folder
@@ -67,16 +72,34 @@ final class Journal implements AutoCloseable {
     }
   }
 
+  private static Journal open(Path folder, GroupLock lock, int snapshotThreshold)
+      throws IOException {
+    boolean torn = JournalScan.check(folder);
+    JournalHandler handler = new JournalHandler();
+    ReliableLog log = new ReliableLog(folder.toString(), handler);
+    log.recover();
+    if (torn) {
+      LOG.warn(
+          "The last record of the journal in {} was torn; it was never acknowledged and is"
+              + " dropped.",
+          folder);
+    }
+    log.snapshot();
+    return new Journal(folder, lock, snapshotThreshold, handler, log);
+  }
+
   /**
    * Makes a change: on disk first, then in memory.
    *
-   * @throws ActivationException if it could not be written; then it has not happened
+   * @throws ActivationException if it could not be written, or is of a group that is not registered
+   *     any more; then it has not happened
    */
   synchronized void commit(Change change) throws ActivationException {
+    registrations.check(change);
     try {
       ReliableLog open = openedLog();
-      log = null; // not to be used again if the next line fails half-way
-      open.update(change);
+      log = null; // not to be used again if it fails half-way
+      write(open, change);
       log = open;
     } catch (IOException e) {
       throw new ActivationException(
@@ -96,6 +119,15 @@ final class Journal implements AutoCloseable {
   /** Asks something of the registrations. */
   synchronized <T extends @Nullable Object> T read(Function<Registrations, T> question) {
     return question.apply(registrations);
+  }
+
+  private static void write(ReliableLog open, Change change) throws IOException {
+    try {
+      open.update(change);
+    } catch (IOException e) {
+      open.close();
+      throw e;
+    }
   }
 
   private ReliableLog openedLog() throws IOException {
@@ -134,9 +166,11 @@ final class Journal implements AutoCloseable {
   @Override
   public synchronized void close() throws IOException {
     closed = true;
-    if (log != null) {
-      log.close();
-      log = null;
+    try (lock) {
+      if (log != null) {
+        log.close();
+        log = null;
+      }
     }
   }
 

@@ -18,9 +18,11 @@ import java.util.zip.CRC32C;
  */
 final class JournalHandler extends LogHandler {
 
+  /** Bytes before the object: its length and its CRC. */
+  private static final int HEAD = 8;
+
   private Registrations registrations;
   private int records;
-  private int tornRecord;
 
   /** For reading a journal. */
   JournalHandler() {
@@ -35,11 +37,6 @@ final class JournalHandler extends LogHandler {
   /** What was read. */
   Registrations registrations() {
     return registrations;
-  }
-
-  /** Whether the last record was torn. */
-  boolean droppedTornRecord() {
-    return tornRecord > 0;
   }
 
   @Override
@@ -60,18 +57,11 @@ final class JournalHandler extends LogHandler {
   @Override
   public void readUpdate(InputStream in) throws IOException, ClassNotFoundException {
     records++;
-    if (tornRecord > 0) {
-      throw new IOException("record " + tornRecord + " is damaged and others follow it");
+    // River's stream refuses to be read beyond the record, and says how long that is.
+    byte[] whole = in.readNBytes(in.available());
+    if (isWhole(whole, 0, whole.length)) { // else it is the torn last one: JournalScan has looked
+      registrations.apply((Change) deserialize(checked(whole, "record " + records)));
     }
-    byte[] bytes;
-    try {
-      // River's stream refuses to be read beyond the record, and says how long that is.
-      bytes = checked(in.readNBytes(in.available()), "record " + records);
-    } catch (IOException e) {
-      tornRecord = records;
-      return;
-    }
-    registrations.apply((Change) deserialize(bytes));
   }
 
   @Override
@@ -84,28 +74,35 @@ final class JournalHandler extends LogHandler {
     try (ObjectOutputStream objects = new ObjectOutputStream(bytes)) {
       objects.writeObject(value);
     }
-    ByteArrayOutputStream whole = new ByteArrayOutputStream(bytes.size() + 8);
+    ByteArrayOutputStream whole = new ByteArrayOutputStream(bytes.size() + HEAD);
     DataOutputStream data = new DataOutputStream(whole);
     data.writeInt(bytes.size());
-    data.writeInt(crc(bytes.toByteArray(), 0));
+    data.writeInt(crc(bytes.toByteArray(), 0, bytes.size()));
     bytes.writeTo(data);
     out.write(whole.toByteArray());
     out.flush();
   }
 
   private static byte[] checked(byte[] whole, String what) throws IOException {
-    if (whole.length >= 8) {
-      ByteBuffer head = ByteBuffer.wrap(whole);
-      if (head.getInt() == whole.length - 8 && head.getInt() == crc(whole, 8)) {
-        return java.util.Arrays.copyOfRange(whole, 8, whole.length);
-      }
+    if (isWhole(whole, 0, whole.length)) {
+      return java.util.Arrays.copyOfRange(whole, HEAD, whole.length);
     }
     throw new IOException(what + " is damaged");
   }
 
-  private static int crc(byte[] bytes, int from) {
+  /** Whether these bytes are what this class once wrote. */
+  static boolean isWhole(byte[] bytes, int from, int length) {
+    if (length < HEAD || from + length > bytes.length) {
+      return false;
+    }
+    ByteBuffer head = ByteBuffer.wrap(bytes, from, HEAD);
+    return head.getInt() == length - HEAD
+        && head.getInt() == crc(bytes, from + HEAD, length - HEAD);
+  }
+
+  private static int crc(byte[] bytes, int from, int length) {
     CRC32C crc = new CRC32C();
-    crc.update(bytes, from, bytes.length - from);
+    crc.update(bytes, from, length);
     return (int) crc.getValue();
   }
 

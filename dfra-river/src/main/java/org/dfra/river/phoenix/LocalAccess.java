@@ -5,15 +5,12 @@ import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.rmi.RemoteException;
 import java.rmi.server.ServerNotActiveException;
-import java.util.concurrent.ConcurrentHashMap;
 import net.jini.export.ServerContext;
 import net.jini.io.context.ClientHost;
 import org.jspecify.annotations.Nullable;
 
 /** Lets only callers on this machine register and monitor. */
 final class LocalAccess {
-
-  private final ConcurrentHashMap<InetAddress, Boolean> local = new ConcurrentHashMap<>();
 
   /**
    * Refuses the remote call under way unless it came from an address of this machine. A caller in
@@ -23,7 +20,7 @@ final class LocalAccess {
    */
   void check(String what) throws RemoteException {
     InetAddress caller = caller();
-    if (caller != null && !local.computeIfAbsent(caller, LocalAccess::isLocal)) {
+    if (caller != null && !isLocal(caller)) {
       throw new java.rmi.AccessException(
           what
               + " is refused to "
@@ -42,6 +39,7 @@ final class LocalAccess {
     }
   }
 
+  /** Asked anew each time: a robot's addresses change while it drives from network to network. */
   private static boolean isLocal(InetAddress address) {
     try {
       return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;

@@ -3,7 +3,6 @@ package org.dfra.river.phoenix;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
-import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationMonitor;
@@ -38,12 +37,6 @@ final class MonitorService implements ActivationMonitor {
   public void inactiveGroup(ActivationGroupID id, long incarnation)
       throws UnknownGroupException, RemoteException {
     access.check("inactiveGroup");
-    try {
-      daemon.group(id).leaves(incarnation);
-    } catch (UnknownGroupException e) {
-      throw e;
-    } catch (ActivationException e) {
-      throw new RemoteException("the group's leaving was noted but could not be recorded", e);
-    }
+    daemon.group(id).leaves(incarnation);
   }
 }

@@ -112,23 +112,38 @@ public final class Phoenix implements AutoCloseable {
 
   private static Phoenix open(PhoenixConfiguration configuration) throws IOException {
     Phoenix phoenix = new Phoenix(configuration, InstantSource.system());
-    phoenix.serve();
-    return phoenix;
+    try {
+      phoenix.serve();
+      return phoenix;
+    } catch (IOException | RuntimeException e) {
+      phoenix.abandon();
+      throw e;
+    }
   }
 
   private void serve() throws IOException {
     daemon.recover();
+    // The activator first: whoever registers an object gets an ID with it.
+    Activator activator = (Activator) export(configuration.activatorExporter(), activatorService);
+    daemon.exported(activator);
     ActivationMonitor monitor =
         (ActivationMonitor) export(configuration.monitorExporter(), monitorService);
     ActivationSystem system =
         (ActivationSystem) export(configuration.systemExporter(), systemService);
     systemService.exported(system, monitor);
-    Activator activator = (Activator) export(configuration.activatorExporter(), activatorService);
     if (configuration.registryPort() >= 0) {
       registry = readOnlyRegistry(configuration.registryPort(), system);
     }
-    daemon.open(activator);
+    daemon.open();
     LOG.info("Phoenix is ready: {} groups.", daemon.status().size());
+  }
+
+  /** Undoes a start that failed; groups that were found alive stay so. */
+  private void abandon() {
+    unexport(configuration.activatorExporter());
+    unexport(configuration.systemExporter());
+    unexport(configuration.monitorExporter());
+    daemon.abandon();
   }
 
   private static Remote export(Exporter exporter, Remote service) throws ExportException {
@@ -148,11 +163,12 @@ public final class Phoenix implements AutoCloseable {
    * The RMI registry where programs that know only {@code java.rmi.activation} find the system.
    *
    * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind does not
-   * pass. Binding here, in the registry's own virtual machine, meets no filter.
+   * pass. Its sockets see to the rest. Binding here, in the registry's own virtual machine, meets
+   * neither.
    */
   private static Registry readOnlyRegistry(int port, ActivationSystem system) throws IOException {
     System.setProperty("sun.rmi.registry.registryFilter", "!*");
-    Registry registry = LocateRegistry.createRegistry(port);
+    Registry registry = LocateRegistry.createRegistry(port, null, new ReadOnlySockets());
     registry.rebind(SYSTEM_NAME, system);
     return registry;
   }

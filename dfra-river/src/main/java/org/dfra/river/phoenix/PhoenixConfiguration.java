@@ -54,6 +54,14 @@ record PhoenixConfiguration(
 
   /** Reads the entries, with defaults for all but the persistence directory. */
   static PhoenixConfiguration read(Configuration c) throws ConfigurationException {
+    try {
+      return readEntries(c);
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(COMPONENT + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static PhoenixConfiguration readEntries(Configuration c) throws ConfigurationException {
     Path journal = Path.of(entry(c, "persistenceDirectory", String.class));
     RestartPolicy restart = RestartPolicy.DEFAULT;
     ExecPolicy exec = ExecPolicy.DEFAULT;

@@ -6,6 +6,7 @@ import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.UnknownGroupException;
 import java.rmi.server.UID;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -75,6 +76,38 @@ final class Registrations implements Serializable {
     } else if (change instanceof Change.ObjectUnregistered c) {
       objects.remove(c.object());
     }
+  }
+
+  /**
+   * Refuses a change of a group that is not registered. Once written, it would spoil the journal
+   * for every reader to come.
+   *
+   * @throws UnknownGroupException if the group was unregistered meanwhile
+   */
+  void check(Change change) throws UnknownGroupException {
+    @Nullable ActivationGroupID group = groupOf(change);
+    if (group != null && !groups.containsKey(group)) {
+      throw new UnknownGroupException("the group is not registered with phoenix any more");
+    }
+  }
+
+  private static @Nullable ActivationGroupID groupOf(Change change) {
+    if (change instanceof Change.GroupDescribed c) {
+      return c.group();
+    } else if (change instanceof Change.GroupUnregistered c) {
+      return c.group();
+    } else if (change instanceof Change.Launching c) {
+      return c.group();
+    } else if (change instanceof Change.Launched c) {
+      return c.group();
+    } else if (change instanceof Change.Reported c) {
+      return c.group();
+    } else if (change instanceof Change.Left c) {
+      return c.group();
+    } else if (change instanceof Change.ObjectRegistered c) {
+      return c.desc().getGroupID();
+    }
+    return null;
   }
 
   /** The record of a group; a change of an unknown group means a damaged journal. */

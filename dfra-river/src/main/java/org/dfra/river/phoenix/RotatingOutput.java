@@ -48,15 +48,18 @@ final class RotatingOutput extends OutputStream {
 
   private void rotate() throws IOException {
     out.close();
-    for (int i = kept; i > 1; i--) {
-      Path from = numbered(i - 1);
-      if (Files.exists(from)) {
-        Files.move(from, numbered(i), StandardCopyOption.REPLACE_EXISTING);
+    try {
+      for (int i = kept; i > 1; i--) {
+        Path from = numbered(i - 1);
+        if (Files.exists(from)) {
+          Files.move(from, numbered(i), StandardCopyOption.REPLACE_EXISTING);
+        }
       }
+      Files.move(file, numbered(1), StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      out = open(); // whatever failed, what is printed next is not lost
+      size = Files.size(file);
     }
-    Files.move(file, numbered(1), StandardCopyOption.REPLACE_EXISTING);
-    out = open();
-    size = 0;
   }
 
   private OutputStream open() throws IOException {

@@ -11,8 +11,7 @@ import java.rmi.activation.ActivationMonitor;
 import java.rmi.activation.ActivationSystem;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
+import java.util.concurrent.CompletableFuture;
 
 /** Registration and administration, for callers on this machine. */
 final class SystemService implements ActivationSystem, PhoenixAdmin {
@@ -20,8 +19,9 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
   private final Daemon daemon;
   private final LocalAccess access;
   private final Runnable shutdown;
-  private volatile @Nullable ActivationSystem self;
-  private volatile @Nullable ActivationMonitor monitor;
+  // A caller may be quicker than the daemon's own start: it waits for what is exported last.
+  private final CompletableFuture<ActivationSystem> self = new CompletableFuture<>();
+  private final CompletableFuture<ActivationMonitor> monitor = new CompletableFuture<>();
 
   SystemService(Daemon daemon, LocalAccess access, Runnable shutdown) {
     this.daemon = daemon;
@@ -31,15 +31,15 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
 
   /** Tells the service its own proxy and the monitor's, when both are exported. */
   void exported(ActivationSystem itself, ActivationMonitor monitorProxy) {
-    self = itself;
-    monitor = monitorProxy;
+    monitor.complete(monitorProxy);
+    self.complete(itself);
   }
 
   @Override
   public ActivationGroupID registerGroup(ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
     access.check("registerGroup");
-    return daemon.registerGroup(new ActivationGroupID(Objects.requireNonNull(self)), desc);
+    return daemon.registerGroup(new ActivationGroupID(self.join()), desc);
   }
 
   @Override
@@ -67,7 +67,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
       throws ActivationException, RemoteException {
     access.check("activeGroup");
     daemon.group(id).reported(daemon.prepared(group), incarnation);
-    return Objects.requireNonNull(monitor);
+    return monitor.join();
   }
 
   @Override

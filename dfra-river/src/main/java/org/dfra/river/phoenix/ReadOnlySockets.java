@@ -1,0 +1,47 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.UnknownHostException;
+import java.rmi.server.RMIServerSocketFactory;
+
+/**
+ * Sockets that make an RMI registry read-only: it listens on the loopback interface alone, and
+ * takes every caller for one from another host, to whom a registry refuses bind, rebind and unbind.
+ *
+ * <p>A registry lets any program on its host unbind a name, and its filter does not see that call,
+ * which sends nothing but a string.
+ */
+final class ReadOnlySockets implements RMIServerSocketFactory {
+
+  /** Of a network that is for documentation only (RFC 5737), so no host has it. */
+  private static final InetAddress ELSEWHERE = elsewhere();
+
+  @Override
+  public ServerSocket createServerSocket(int port) throws IOException {
+    return new ServerSocket(port, 0, InetAddress.getLoopbackAddress()) {
+      @Override
+      public Socket accept() throws IOException {
+        Socket socket =
+            new Socket() {
+              @Override
+              public InetAddress getInetAddress() {
+                return ELSEWHERE;
+              }
+            };
+        implAccept(socket);
+        return socket;
+      }
+    };
+  }
+
+  private static InetAddress elsewhere() {
+    try {
+      return InetAddress.getByAddress(new byte[] {(byte) 203, 0, 113, 1});
+    } catch (UnknownHostException e) {
+      throw new IllegalStateException("four bytes are an address", e);
+    }
+  }
+}

@@ -1,0 +1,278 @@
+package org.dfra.river.call;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.awaitility.Awaitility.await;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.lang.reflect.Proxy;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicReference;
+import net.jini.core.constraint.RemoteMethodControl;
+import net.jini.id.UuidFactory;
+import net.jini.jeri.BasicJeriExporter;
+import net.jini.jeri.BasicObjectEndpoint;
+import net.jini.jeri.tcp.TcpEndpoint;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Every call ends, whatever becomes of its server. */
+class DeadlineTest {
+
+  /** What is served here. */
+  public interface Service extends Remote {
+    String echo(String text) throws RemoteException;
+
+    void block() throws RemoteException;
+
+    void fail() throws RemoteException, IOException;
+  }
+
+  private final CountDownLatch blocked = new CountDownLatch(1);
+  private final CountDownLatch release = new CountDownLatch(1);
+  private final ExecutorService threads = Executors.newCachedThreadPool();
+  private final List<AutoCloseable> open = new ArrayList<>();
+
+  private final class Server implements Service {
+    @Override
+    public String echo(String text) {
+      return text;
+    }
+
+    @Override
+    public void block() {
+      blocked.countDown();
+      try {
+        release.await();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public void fail() throws IOException {
+      throw new IOException("in its own words");
+    }
+  }
+
+  private Server server; // JERI holds it only weakly
+
+  private Service export(long deadlineMillis) throws Exception {
+    BasicJeriExporter exporter =
+        new BasicJeriExporter(
+            Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(deadlineMillis), false, true);
+    open.add(() -> exporter.unexport(true));
+    server = new Server();
+    return (Service) exporter.export(server);
+  }
+
+  @AfterEach
+  void end() throws Exception {
+    release.countDown();
+    threads.shutdownNow();
+    for (AutoCloseable each : open) {
+      each.close();
+    }
+  }
+
+  @Test
+  void answerAndFailureArriveAsTheyAre() throws Exception {
+    Service service = export(2000);
+    assertThat(service.echo("hello")).isEqualTo("hello");
+    assertThatExceptionOfType(IOException.class)
+        .isThrownBy(service::fail)
+        .withMessage("in its own words");
+  }
+
+  @Test
+  void callThatIsNotAnsweredEndsAtItsDeadlineAndSaysThatItMayHaveRun() throws Exception {
+    Service service = export(200);
+    long began = System.nanoTime();
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(service::block)
+        .withMessageContaining("Service.block on TcpEndpoint")
+        .withMessageContaining("got no answer within 200 ms; it may have run")
+        .satisfies(e -> assertThat(e.mayHaveRun()).isTrue());
+    assertThat((System.nanoTime() - began) / 1_000_000).as("ms").isBetween(190L, 1200L);
+    assertThat(service.echo("on")).as("others go on").isEqualTo("on");
+  }
+
+  @Test
+  void interruptedCallerIsFreeAtOnceAndStaysInterrupted() throws Exception {
+    Service service = export(20_000);
+    AtomicReference<Throwable> seen = new AtomicReference<>();
+    AtomicReference<Boolean> flag = new AtomicReference<>();
+    Thread caller =
+        new Thread(
+            () -> {
+              try {
+                service.block();
+              } catch (RemoteException e) {
+                seen.set(e);
+              }
+              flag.set(Thread.currentThread().isInterrupted());
+            });
+    caller.start();
+    blocked.await();
+    caller.interrupt();
+    caller.join(5000);
+    assertThat(seen.get())
+        .isInstanceOf(CallInterruptedException.class)
+        .hasMessageContaining("was interrupted while it waited for its answer; it may have run");
+    assertThat(flag.get()).as("still interrupted").isTrue();
+  }
+
+  @Test
+  void peerThatTakesConnectionsAndNeverAnswersIsReportedAndHoldsSoManyThreads() throws Exception {
+    ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    open.add(mute);
+    Service service = proxy(mute.getLocalPort(), 150);
+    assertNotRun(service);
+    List<Future<?>> callers = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      callers.add(threads.submit(() -> assertNotRun(service)));
+    }
+    for (Future<?> each : callers) {
+      each.get();
+    }
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(
+            () -> {
+              for (int i = 0; i <= SilentPeers.LIMIT; i++) {
+                service.echo("x");
+              }
+            })
+        .satisfies(e -> assertThat(e.mayHaveRun()).isFalse());
+    assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
+    // When the peer goes away its threads come free, and it is tried again.
+    mute.close();
+  }
+
+  @Test
+  void peerThatTakesNoConnectionIsReportedInTimeAndItsThreadsAreBounded() throws Exception {
+    // A listener whose queue is full: the operating system drops further connections unanswered.
+    ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+    open.add(full);
+    for (int i = 0; i < 4; i++) {
+      Socket waiting = new Socket();
+      open.add(waiting);
+      threads.submit(
+          () -> {
+            waiting.connect(
+                new InetSocketAddress(full.getInetAddress(), full.getLocalPort()), 2000);
+            return null;
+          });
+    }
+    Service service = proxy(full.getLocalPort(), 200);
+    int refused = 0;
+    for (int i = 0; i < SilentPeers.LIMIT + 4; i++) {
+      long began = System.nanoTime();
+      try {
+        service.echo("x");
+      } catch (DeadlineExceededException e) {
+        assertThat(e.mayHaveRun()).isFalse();
+        refused += e.getMessage().contains("was not tried") ? 1 : 0;
+      }
+      assertThat((System.nanoTime() - began) / 1_000_000).as("ms of call %s", i).isLessThan(1200);
+    }
+    assertThat(refused).as("calls that were not even tried").isGreaterThanOrEqualTo(1);
+    assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
+  }
+
+  private static void assertNotRun(Service service) {
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(() -> service.echo("x"))
+        .satisfies(
+            e -> {
+              assertThat(e.mayHaveRun()).isFalse();
+              assertThat(e.getMessage()).containsAnyOf("it has not run", "was not tried");
+            });
+  }
+
+  private static Service proxy(int port, long deadlineMillis) {
+    return (Service)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(
+                TcpEndpoint.getInstance("127.0.0.1", port), UuidFactory.generate(), false),
+            Duration.ofMillis(deadlineMillis),
+            DeadlineTest.class.getClassLoader(),
+            Service.class,
+            RemoteMethodControl.class);
+  }
+
+  @Test
+  void silentPeersCountUpAndDown() {
+    SilentPeers peers = new SilentPeers();
+    assertThat(peers.held("a")).isZero();
+    peers.hold("a");
+    peers.hold("a");
+    peers.hold("b");
+    assertThat(peers.held("a")).isEqualTo(2);
+    peers.letGo("a");
+    peers.letGo("a");
+    peers.letGo("a");
+    assertThat(peers.held("a")).isZero();
+    assertThat(peers.held("b")).isEqualTo(1);
+  }
+
+  @Test
+  void threadsThatAPeerHeldAreLetGoWhenItAnswers() throws Exception {
+    Service service = export(100);
+    for (int i = 0; i < SilentPeers.LIMIT / 2; i++) {
+      assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::block);
+    }
+    release.countDown();
+    await("calls get through again").atMost(Duration.ofSeconds(10)).until(() -> works(service));
+  }
+
+  private static boolean works(Service service) {
+    try {
+      return service.echo("x").equals("x");
+    } catch (RemoteException e) {
+      return false;
+    }
+  }
+
+  @Test
+  void proxyKeepsItsDeadlineAcrossTheWireAndUnderConstraints() throws Exception {
+    Service service = export(300);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(service);
+    }
+    Service read =
+        (Service) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
+    assertThat(read).isEqualTo(service).hasSameHashCodeAs(service);
+    assertThat(Proxy.getInvocationHandler(read)).isInstanceOf(DeadlineInvocationHandler.class);
+    Service constrained = (Service) ((RemoteMethodControl) read).setConstraints(null);
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(constrained::block)
+        .withMessageContaining("300 ms");
+  }
+
+  @Test
+  void deadlineShorterThanAMillisecondIsRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new DeadlineILFactory(0))
+        .withMessage("deadline PT0S is shorter than 1 ms");
+    assertThat(new DeadlineILFactory(5)).isEqualTo(new DeadlineILFactory(5));
+    assertThat(new DeadlineILFactory(5)).isNotEqualTo(new DeadlineILFactory(6));
+  }
+}

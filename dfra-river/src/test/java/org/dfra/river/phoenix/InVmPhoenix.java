@@ -1,0 +1,113 @@
+package org.dfra.river.phoenix;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.ActivationSystem;
+import java.time.Duration;
+import net.jini.config.ConfigurationFile;
+
+/**
+ * Phoenix in the test's own virtual machine, on a free port, with its journal in the test's folder.
+ *
+ * <p>Its groups' processes are shell scripts that do nothing, so they cost milliseconds; the test
+ * plays their part with a {@link FakeGroup}.
+ */
+final class InVmPhoenix implements AutoCloseable {
+
+  /** How long a test waits for what should come at once. */
+  static final Duration PATIENCE = Duration.ofSeconds(15);
+
+  final Path folder;
+  final int port;
+  private final String idle;
+  private Phoenix phoenix;
+
+  /**
+   * @param folder where its files go
+   */
+  InVmPhoenix(Path folder) throws IOException {
+    this.folder = folder;
+    this.port = freePort();
+    Path script = folder.resolve("idle.sh");
+    Files.writeString(script, "#!/bin/sh\nexec sleep 300\n");
+    Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwx------"));
+    this.idle = script.toString();
+  }
+
+  static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
+  }
+
+  /** Starts it with further entries of its configuration. */
+  InVmPhoenix start(String... entries) throws Exception {
+    String exporter =
+        "Exporter = new net.jini.jeri.BasicJeriExporter(org.dfra.river.call.Endpoints.tcp("
+            + "\"127.0.0.1\", "
+            + port
+            + "), new org.dfra.river.call.DeadlineILFactory(20000L), false, true,"
+            + " org.dfra.river.phoenix.Identities.";
+    String text =
+        "org.dfra.river.phoenix { persistenceDirectory = \""
+            + folder.resolve("journal")
+            + "\"; registryPort = -1; permittedCommands = new String[] { \"*\" }; activator"
+            + exporter
+            + "ACTIVATOR); system"
+            + exporter
+            + "SYSTEM); monitor"
+            + exporter
+            + "MONITOR); "
+            + String.join(" ", entries)
+            + "}";
+    phoenix = Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0]));
+    return this;
+  }
+
+  ActivationSystem system() {
+    return PhoenixLocator.system("127.0.0.1", port, PATIENCE);
+  }
+
+  PhoenixAdmin admin() {
+    return (PhoenixAdmin) system();
+  }
+
+  /** Registers a group whose process does nothing. */
+  ActivationGroupID group() throws Exception {
+    return system().registerGroup(command(idle));
+  }
+
+  /** A descriptor with a command. */
+  static ActivationGroupDesc command(String path) {
+    return new ActivationGroupDesc(
+        null, new ActivationGroupDesc.CommandEnvironment(path, new String[0]));
+  }
+
+  /** Registers an object. */
+  ActivationID object(ActivationGroupID group, boolean restart) throws Exception {
+    return system().registerObject(new ActivationDesc(group, "a.B", null, null, restart));
+  }
+
+  /** What phoenix says of its n-th group. */
+  GroupStatus status(int n) throws Exception {
+    return admin().groupStatus().get(n);
+  }
+
+  /** Ends it, and its groups' processes. */
+  @Override
+  public void close() {
+    if (phoenix != null) {
+      phoenix.close();
+      phoenix = null;
+    }
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+
+/** What the command line says to those who ask it about itself, and to those who ask wrongly. */
+class CommandLineTest {
+
+  private static final int WIDTH = 80;
+
+  @TempDir Path folder;
+
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  private int run(String... args) {
+    CommandLine line = Main.commandLine();
+    line.setOut(new PrintWriter(out, true));
+    line.setErr(new PrintWriter(err, true));
+    return line.execute(args);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "frobnicate | there is no verb \"frobnicate\"; there is demo, help, robot, test",
+        "--frobnicate | unknown option: '--frobnicate'; see: ./dfra help",
+        "demo nonesuch"
+            + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra help demo",
+        "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra help demo",
+        "robot --port=abc"
+            + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra help robot",
+        "robot --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra help robot",
+        "robot --down --port=99999"
+            + " | --port=99999 is not a port from 1 to 65535; see: ./dfra help robot",
+        "robot --registry-port=-2"
+            + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra help robot",
+        "robot a.xml b.xml | unmatched argument at index 2: 'b.xml'; see: ./dfra help robot",
+      })
+  void whatIsAskedWronglyIsToldInOneSentence(String asked, String sentence) {
+    assertThat(run(asked.split(" "))).isEqualTo(2);
+    assertThat(err.toString()).isEqualTo("dfra: " + sentence + System.lineSeparator());
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @Test
+  void withoutAVerbItTellsItsVerbs() {
+    assertThat(run()).isEqualTo(2);
+    assertThat(err.toString())
+        .startsWith("Usage: dfra [-hV] VERB")
+        .contains("demo", "robot", "test");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--help", "help", "demo --help", "help demo", "robot --help", "robot -h"})
+  void helpFitsATerminalAndNamesWhatThereIs(String asked) {
+    assertThat(run(asked.split(" "))).isZero();
+    assertThat(out.toString()).startsWith("Usage: dfra ");
+    assertThat(out.toString().lines()).allSatisfy(l -> assertThat(l).hasSizeLessThan(WIDTH));
+    assertThat(err.toString()).isEmpty();
+  }
+
+  @Test
+  void helpNamesEveryVerb() {
+    run("--help");
+    assertThat(out.toString().lines().map(String::strip))
+        .anyMatch(line -> line.startsWith("demo "))
+        .anyMatch(line -> line.startsWith("robot "))
+        .anyMatch(line -> line.startsWith("help "))
+        .anyMatch(line -> line.startsWith("test "));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--version", "-V", "demo --version", "robot -V"})
+  void versionIsOneLine(String asked) {
+    assertThat(run(asked.split(" "))).isZero();
+    assertThat(out.toString().strip()).matches("dfra \\d+\\.\\d+\\.\\d+");
+  }
+
+  @Test
+  void aRobotThatIsNotThereIsToldInOneSentence() {
+    Path missing = folder.resolve("nobody.xml");
+    assertThat(run("robot", missing.toString(), "--state=" + folder)).isEqualTo(1);
+    assertThat(err.toString())
+        .isEqualTo(
+            "dfra: "
+                + missing
+                + ": there is no such file; name the XML file of a robot"
+                + System.lineSeparator());
+  }
+
+  @Test
+  void aRobotThatCannotBeReadIsToldWithTheLine() throws Exception {
+    Path broken = folder.resolve("broken.xml");
+    Files.writeString(broken, "<robot xmlns=\"urn:dfra:robot:1\" name=\"r\">\n<gruop/>\n</robot>");
+    assertThat(run("robot", broken.toString(), "--state=" + folder)).isEqualTo(1);
+    assertThat(err.toString()).startsWith("dfra: " + broken + ":2: ").contains("group");
+    assertThat(folder.resolve("phoenix.log")).as("nothing was started").doesNotExist();
+  }
+}

@@ -1,0 +1,84 @@
+package org.dfra.app;
+
+import static org.awaitility.Awaitility.await;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.dfra.river.bootstrap.JvmCommand;
+
+/**
+ * Runs {@link Main} in processes that can be told from all others: a folder that does not exist is
+ * the first on their class path, and on that of every process they start.
+ */
+final class MarkedProcesses implements AutoCloseable {
+
+  /** What a run said and how it ended. */
+  record Outcome(int exit, String out, String err) {}
+
+  private final Path mark;
+  private final List<String> options;
+
+  /**
+   * @param folder a folder of this test alone
+   * @param options further options for the first process
+   */
+  MarkedProcesses(Path folder, String... options) {
+    this.mark = folder.resolve("mark");
+    this.options = List.of(options);
+  }
+
+  /** Runs {@code ./dfra} with these arguments, without the script. */
+  Outcome dfra(Duration patience, String... arguments) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
+    List<String> usual = new ArrayList<>(JvmCommand.options());
+    int classPath = usual.size() - 1;
+    usual.set(classPath, mark + File.pathSeparator + usual.get(classPath));
+    command.addAll(usual);
+    command.addAll(options);
+    command.add("-Ddfra.root=" + System.getProperty("dfra.root"));
+    command.add(Main.class.getName());
+    command.addAll(List.of(arguments));
+    Path out = mark.resolveSibling("dfra.out");
+    Path err = mark.resolveSibling("dfra.err");
+    Process process =
+        new ProcessBuilder(command)
+            .redirectOutput(out.toFile())
+            .redirectError(err.toFile())
+            .start();
+    if (!process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS)) {
+      close();
+      throw new AssertionError(
+          "./dfra "
+              + String.join(" ", arguments)
+              + " still runs after "
+              + patience.toSeconds()
+              + " s; it said: "
+              + java.nio.file.Files.readString(out));
+    }
+    return new Outcome(
+        process.exitValue(),
+        java.nio.file.Files.readString(out, StandardCharsets.UTF_8),
+        java.nio.file.Files.readString(err, StandardCharsets.UTF_8));
+  }
+
+  /** Every process with this mark that lives now. */
+  List<ProcessHandle> living() {
+    return ProcessHandle.allProcesses()
+        .filter(each -> each.info().commandLine().orElse("").contains(mark.toString()))
+        .filter(ProcessHandle::isAlive)
+        .toList();
+  }
+
+  /** Kills what is left. */
+  @Override
+  public void close() {
+    living().forEach(ProcessHandle::destroyForcibly);
+    await().atMost(Duration.ofSeconds(10)).until(() -> living().isEmpty());
+  }
+}

@@ -1,0 +1,102 @@
+package org.dfra.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.rmi.activation.ActivationID;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.tools.DiagnosticCollector;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationProvider;
+import net.jini.export.Exporter;
+import org.dfra.river.call.ResurrectingExporter;
+import org.dfra.river.server.Exporters.ServerSettings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the documents show is code that works. */
+class ExamplesTest {
+
+  private static final Pattern JAVA = Pattern.compile("(?ms)^```java\\n(.*?)^```$");
+  private static final Pattern BLOCK = Pattern.compile("(?ms)^```\\n(import .*?)^```$");
+
+  /** What a reader's editor would import. */
+  private static final String IMPORTS =
+      Stream.of(
+              "java.time.Duration",
+              "java.util.List",
+              "org.dfra.flow.sensor.GPSSensor",
+              "org.dfra.flow.sensor.GpsFix",
+              "org.dfra.directory.ModuleDirectory",
+              "org.dfra.directory.ModuleQuery",
+              "org.dfra.river.lookup.JiniModuleDirectory")
+          .map(name -> "import " + name + ";\n")
+          .reduce("", String::concat);
+
+  @TempDir Path folder;
+
+  @Test
+  void everyPieceOfJavaCompiles() throws Exception {
+    List<String> pieces =
+        Documents.all().stream()
+            .flatMap(document -> JAVA.matcher(document.text()).results())
+            .map(found -> found.group(1))
+            .toList();
+    assertThat(pieces).isNotEmpty();
+    assumeTrue(ToolProvider.getSystemJavaCompiler() != null, "this Java has no compiler");
+    for (String piece : pieces) {
+      Path source = folder.resolve("Example.java");
+      Files.writeString(
+          source,
+          IMPORTS + "class Example {\n void example() throws Exception {\n" + piece + "}\n}\n");
+      JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+      DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
+      try (StandardJavaFileManager files = compiler.getStandardFileManager(found, null, null)) {
+        boolean compiled =
+            compiler
+                .getTask(
+                    null,
+                    files,
+                    found,
+                    List.of(
+                        "-d",
+                        folder.toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "-proc:none"),
+                    null,
+                    files.getJavaFileObjects(source))
+                .call();
+        assertThat(compiled).as("%s\n%s", piece, found.getDiagnostics()).isTrue();
+      }
+    }
+  }
+
+  @Test
+  void theModulesConfigurationIsReadAndMeansWhatItSays() throws Exception {
+    String text = Documents.of("docs/reference/module-configuration.md").text();
+    String block = BLOCK.matcher(text).results().map(found -> found.group(1)).findFirst().get();
+    Path file = Files.writeString(folder.resolve("module.config"), block);
+    Configuration read = ConfigurationProvider.getInstance(new String[] {file.toString()});
+
+    Object exporter =
+        read.getEntry(
+            "org.dfra.river.server",
+            "serverExporter",
+            Exporter.class,
+            null,
+            new ServerSettings(new ActivationID(null), "127.0.0.1"));
+
+    assertThat(exporter).isInstanceOf(ResurrectingExporter.class);
+    assertThat(read.getEntry("org.dfra.river.lease", "longestLease", long.class)).isEqualTo(10000L);
+    assertThat(read.getEntry("org.dfra.river.lease", "defaultLease", long.class)).isEqualTo(5000L);
+  }
+}

@@ -1,0 +1,116 @@
+package org.dfra.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.docs.Documents.Document;
+import org.junit.jupiter.api.Test;
+
+/** What the documents point to is there. */
+class LinksTest {
+
+  private static final Pattern LINK = Pattern.compile("\\]\\(([^)\\s]+)\\)");
+
+  /** A file or folder of the checkout, written from its top. */
+  private static final Pattern FILE =
+      Pattern.compile(
+          "(?<![\\w/.~-])(?:config|docs|src|benchmarks|\\.ci|\\.mvn|dfra-[a-z]+)/[\\w./-]*[\\w/]");
+
+  /** A room of the house, wherever it is named. */
+  private static final Pattern ROOM = Pattern.compile("(?<![\\w./<-])dfra-[a-z]+(?![\\w<-])");
+
+  private static final Pattern CLASS =
+      Pattern.compile("(?<![\\w.])org\\.dfra\\.(?:[a-z]\\w*\\.)*[A-Z]\\w*");
+
+  /** Names that begin like a room's: a command, a temporary folder, the jars to come. */
+  private static final Set<String> NO_ROOMS = Set.of("dfra-demo", "dfra-call");
+
+  @Test
+  void everyRelativeLinkLeadsToAFileAndAnHeadingInIt() {
+    List<String> broken = new ArrayList<>();
+    for (Document document : Documents.all()) {
+      LINK.matcher(document.prose())
+          .results()
+          .map(found -> found.group(1))
+          .filter(link -> !link.matches("[a-z]+:.*"))
+          .filter(link -> !leadsSomewhere(document, link))
+          .forEach(link -> broken.add(document.name() + ": " + link));
+    }
+    assertThat(broken).as("links that lead nowhere").isEmpty();
+  }
+
+  private static boolean leadsSomewhere(Document from, String link) {
+    int hash = link.indexOf('#');
+    String path = hash < 0 ? link : link.substring(0, hash);
+    Path file = path.isEmpty() ? from.file() : from.file().resolveSibling(path).normalize();
+    if (!file.startsWith(Documents.ROOT) || !Files.exists(file)) {
+      return false;
+    }
+    return hash < 0
+        || new Document(file, Documents.read(file)).anchors().contains(link.substring(hash + 1));
+  }
+
+  @Test
+  void everyFileThatIsNamedExists() {
+    List<String> missing = new ArrayList<>();
+    for (Document document : Documents.all()) {
+      FILE.matcher(document.text())
+          .results()
+          .map(found -> found.group())
+          .filter(name -> !name.matches(".*/(target|build)(/.*)?"))
+          .filter(name -> !Files.exists(Documents.ROOT.resolve(name)))
+          .filter(name -> !Files.exists(document.file().resolveSibling(name)))
+          .forEach(name -> missing.add(document.name() + ": " + name));
+    }
+    assertThat(missing).as("files that are named and do not exist").isEmpty();
+  }
+
+  @Test
+  void everyRoomThatIsNamedExists() {
+    List<String> missing = new ArrayList<>();
+    for (Document document : Documents.all()) {
+      ROOM.matcher(document.text())
+          .results()
+          .map(found -> found.group())
+          .filter(name -> !NO_ROOMS.contains(name))
+          .filter(name -> !Files.isDirectory(Documents.ROOT.resolve(name)))
+          .forEach(name -> missing.add(document.name() + ": " + name));
+    }
+    assertThat(missing).as("rooms that are named and do not exist").isEmpty();
+  }
+
+  @Test
+  void everyClassThatIsNamedExists() throws IOException {
+    Set<String> classes = classes();
+    assertThat(classes).contains("org.dfra.module.Module", "org.dfra.docs.LinksTest");
+    List<String> missing = new ArrayList<>();
+    for (Document document : Documents.all()) {
+      CLASS
+          .matcher(document.text())
+          .results()
+          .map(found -> found.group())
+          .filter(name -> !classes.contains(name))
+          .forEach(name -> missing.add(document.name() + ": " + name));
+    }
+    assertThat(missing).as("classes that are named and do not exist").isEmpty();
+  }
+
+  private static Set<String> classes() throws IOException {
+    Pattern source = Pattern.compile(".*/java/(org/dfra/.*)\\.java");
+    try (Stream<Path> files = Files.walk(Documents.ROOT, 14)) {
+      return files
+          .map(file -> source.matcher(file.toString().replace('\\', '/')))
+          .filter(java.util.regex.Matcher::matches)
+          .map(found -> found.group(1).replace('/', '.'))
+          .collect(Collectors.toSet());
+    }
+  }
+}

@@ -1,0 +1,125 @@
+package org.dfra.testing;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Two hosts on one machine: network namespaces whose interfaces end in a switch, a third one, where
+ * their connection can be cut and mended without either of them being told. Each host has one real
+ * interface, over which multicast goes, and a loopback of its own.
+ *
+ * <p>Making them needs root on Linux; where that is not to be had, {@link #refusal} says why, and a
+ * test skips itself with that sentence.
+ */
+public final class TestHosts implements AutoCloseable {
+
+  /** Addresses of the two hosts; their network leaves this machine nowhere. */
+  public static final List<String> ADDRESSES = List.of("10.77.0.1", "10.77.0.2");
+
+  private static final String BRIDGE = "br0";
+
+  private final List<String> made = new ArrayList<>();
+  private final String tag = Long.toString(ProcessHandle.current().pid(), 36);
+
+  /**
+   * Makes the two hosts and connects them.
+   *
+   * @throws IOException if the system refuses
+   */
+  public TestHosts() throws IOException, InterruptedException {
+    try {
+      make(theSwitch());
+      inside(theSwitch(), "ip", "link", "add", BRIDGE, "type", "bridge", "mcast_snooping", "0");
+      inside(theSwitch(), "ip", "link", "set", BRIDGE, "up");
+      for (int host = 0; host < 2; host++) {
+        make(name(host));
+        run("ip", "link", "add", port(host, 'a'), "type", "veth", "peer", "name", port(host, 'b'));
+        run("ip", "link", "set", port(host, 'a'), "netns", name(host));
+        run("ip", "link", "set", port(host, 'b'), "netns", theSwitch());
+        inside(theSwitch(), "ip", "link", "set", port(host, 'b'), "master", BRIDGE, "up");
+        String own = port(host, 'a');
+        inside(name(host), "ip", "addr", "add", ADDRESSES.get(host) + "/24", "dev", own);
+        inside(name(host), "ip", "link", "set", "lo", "up");
+        inside(name(host), "ip", "link", "set", own, "up");
+        inside(name(host), "ip", "route", "add", "224.0.0.0/4", "dev", own);
+      }
+    } catch (IOException | InterruptedException e) {
+      close();
+      throw e;
+    }
+  }
+
+  /** Why two hosts cannot be made here; nothing where they can. */
+  public static Optional<String> refusal() throws InterruptedException {
+    try {
+      new TestHosts().close();
+      return Optional.empty();
+    } catch (IOException e) {
+      return Optional.of("no network namespaces here: " + e.getMessage());
+    }
+  }
+
+  /** Prefix of a command that is to run on a host, 0 or 1. */
+  public List<String> on(int host) {
+    return List.of("ip", "netns", "exec", name(host));
+  }
+
+  /**
+   * Cuts the connection: the switch drops everything, and both interfaces stay up. So it is for a
+   * robot that drives out of radio range.
+   */
+  public void cut() throws IOException, InterruptedException {
+    inside(theSwitch(), "bridge", "link", "set", "dev", port(0, 'b'), "state", "0");
+  }
+
+  /** Mends the connection. */
+  public void mend() throws IOException, InterruptedException {
+    inside(theSwitch(), "bridge", "link", "set", "dev", port(0, 'b'), "state", "3");
+  }
+
+  private void make(String namespace) throws IOException, InterruptedException {
+    run("ip", "netns", "add", namespace);
+    made.add(namespace);
+  }
+
+  private String theSwitch() {
+    return "dfra-" + tag + "-switch";
+  }
+
+  private String name(int host) {
+    return "dfra-" + tag + "-" + host;
+  }
+
+  /** An end of a host's cable: {@code a} at the host, {@code b} at the switch. */
+  private String port(int host, char end) {
+    return "df" + tag + host + end;
+  }
+
+  private static void inside(String namespace, String... command)
+      throws IOException, InterruptedException {
+    run(
+        Stream.concat(Stream.of("ip", "netns", "exec", namespace), Stream.of(command))
+            .toArray(String[]::new));
+  }
+
+  private static void run(String... command) throws IOException, InterruptedException {
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    if (process.waitFor() != 0) {
+      throw new IOException(String.join(" ", command) + ": " + said.strip());
+    }
+  }
+
+  /** Removes the hosts; what still runs there must have been ended before. Idempotent. */
+  @Override
+  public void close() throws IOException, InterruptedException {
+    for (String namespace : List.copyOf(made)) {
+      run("ip", "netns", "delete", namespace);
+      made.remove(namespace);
+    }
+  }
+}
