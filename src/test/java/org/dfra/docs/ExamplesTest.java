@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationID;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.tools.DiagnosticCollector;
@@ -28,35 +29,64 @@ class ExamplesTest {
   private static final Pattern JAVA = Pattern.compile("(?ms)^```java\\n(.*?)^```$");
   private static final Pattern BLOCK = Pattern.compile("(?ms)^```\\n(import .*?)^```$");
 
+  private static final Pattern CLASS =
+      Pattern.compile("(?m)^(?:public |final )*(?:class|interface|record|enum) (\\w+)");
+
   /** What a reader's editor would import. */
   private static final String IMPORTS =
       Stream.of(
               "java.time.Duration",
               "java.util.List",
-              "org.dfra.flow.sensor.GPSSensor",
-              "org.dfra.flow.sensor.GpsFix",
-              "org.dfra.directory.ModuleDirectory",
-              "org.dfra.directory.ModuleQuery",
+              "org.dfra.directory.*",
+              "org.dfra.flow.sensor.*",
+              "org.dfra.geometry.GeoPosition",
+              "org.dfra.persona.*",
               "org.dfra.river.lookup.JiniModuleDirectory")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
 
+  /** What an example may take as given. */
+  private static final String GIVEN =
+      "String host, List<String> groups, List<String> locators, GeoPosition here";
+
   @TempDir Path folder;
+
+  private static Stream<String> pieces() {
+    return Documents.all().stream()
+        .flatMap(document -> JAVA.matcher(document.text()).results())
+        .map(found -> found.group(1));
+  }
+
+  @Test
+  void everyWholeClassStandsInASourceThatIsTested() throws Exception {
+    for (String piece : pieces().toList()) {
+      Matcher declared = CLASS.matcher(piece);
+      if (declared.find()) {
+        String name = declared.group(1) + ".java";
+        try (Stream<Path> files = Files.walk(Documents.ROOT.resolve("src/test/java"))) {
+          assertThat(files.filter(file -> file.endsWith(name)).map(Documents::read))
+              .as("sources called " + name)
+              .anySatisfy(source -> assertThat(source).contains(piece));
+        }
+      }
+    }
+  }
 
   @Test
   void everyPieceOfJavaCompiles() throws Exception {
-    List<String> pieces =
-        Documents.all().stream()
-            .flatMap(document -> JAVA.matcher(document.text()).results())
-            .map(found -> found.group(1))
-            .toList();
+    List<String> pieces = pieces().filter(piece -> !CLASS.matcher(piece).find()).toList();
     assertThat(pieces).isNotEmpty();
     assumeTrue(ToolProvider.getSystemJavaCompiler() != null, "this Java has no compiler");
     for (String piece : pieces) {
       Path source = folder.resolve("Example.java");
       Files.writeString(
           source,
-          IMPORTS + "class Example {\n void example() throws Exception {\n" + piece + "}\n}\n");
+          IMPORTS
+              + "class Example {\n void example("
+              + GIVEN
+              + ") throws Exception {\n"
+              + piece
+              + "}\n}\n");
       JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
       DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
       try (StandardJavaFileManager files = compiler.getStandardFileManager(found, null, null)) {

@@ -38,8 +38,8 @@ final class RobotCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "ROBOT.XML",
       arity = "0..1",
-      description = "The robot's description, e.g. config/robots/atrv1.xml.")
-  private Path xml = Path.of("config", "robots", "atrv1.xml");
+      description = "The robot's description (default: the one of atrv1 that comes with DFRA).")
+  private Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
 
   @Option(names = "--down", description = "End phoenix and every group of this host.")
   private boolean down;

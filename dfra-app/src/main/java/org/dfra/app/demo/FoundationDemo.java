@@ -167,19 +167,25 @@ final class FoundationDemo implements Demo {
         "kill -STOP: a peer that is silent, as out of radio range");
     long pid = stage.group("gps").pid();
     stage.signal("STOP", pid);
-    Narration.Stopwatch watch = tell.stopwatch();
+    Narration.Stopwatch sinceSignal = tell.stopwatch();
     try {
-      gps.fix();
-      throw new IOException("a stopped process answered");
-    } catch (DeadlineExceededException e) {
-      tell.say(
-          "Process %d was stopped. The call ended after %s: %s.",
-          pid, seconds(watch.elapsed()), String.valueOf(e.getMessage()));
-      tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
+      while (true) {
+        Narration.Stopwatch watch = tell.stopwatch();
+        try {
+          gps.fix(); // the signal reaches a busy machine's threads a moment after it was sent
+        } catch (DeadlineExceededException e) {
+          tell.say(
+              "Process %d was stopped. The call ended after %s: %s.",
+              pid, seconds(watch.elapsed()), String.valueOf(e.getMessage()));
+          tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
+          break;
+        }
+        require(sinceSignal.elapsed().compareTo(PATIENCE) < 0, "a stopped process answers on");
+      }
     } finally {
       stage.signal("CONT", pid);
     }
-    watch = tell.stopwatch();
+    Narration.Stopwatch watch = tell.stopwatch();
     gps.fix();
     tell.say("It was let go on, and the same proxy answered after %s.", seconds(watch.elapsed()));
   }

@@ -13,7 +13,6 @@ import java.util.concurrent.locks.LockSupport;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixLocator;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Step 1 of the bootstrap: phoenix, in a process of its own.
@@ -106,10 +105,11 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   private String lastWords() throws IOException {
-    List<String> lines = Files.readAllLines(log());
-    @Nullable String error =
-        lines.stream().filter(line -> line.contains("ERROR")).reduce((a, b) -> b).orElse(null);
-    return error != null ? error : "see " + log();
+    String said = Files.readString(log());
+    int last = said.lastIndexOf(Phoenix.CANNOT_START);
+    return last < 0
+        ? "see " + log()
+        : said.substring(last + Phoenix.CANNOT_START.length()).lines().findFirst().orElse("");
   }
 
   private List<String> command() {

@@ -328,8 +328,10 @@ public final class RobotBootstrap {
         "persistenceDirectory",
         PhoenixProcess.quote(folder.resolve(robot.name()).toString()));
     override(arguments, "initialMemberGroups", array(robot.lookupGroups()));
-    if (multicastGroups().isEmpty()) {
-      override(arguments, "multicastInterfaces", "new java.net.NetworkInterface[]{}");
+    if (multicastGroups().isEmpty()) { // neither to announce itself nor to listen for others
+      String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
+      arguments.add("com.sun.jini.reggie." + none);
+      arguments.add("net.jini.discovery.LookupDiscovery." + none);
     }
     return loader.registrar(
         group, registrar, new MarshalledObject<>(arguments.toArray(String[]::new)));

@@ -38,6 +38,9 @@ public final class Phoenix implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Phoenix.class);
 
+  /** What phoenix's log says before the reason why it did not start. */
+  public static final String CANNOT_START = "Phoenix cannot start: ";
+
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
 
   private final PhoenixConfiguration configuration;
@@ -79,7 +82,7 @@ public final class Phoenix implements AutoCloseable {
       phoenix.closed.await();
       Runtime.getRuntime().exit(0);
     } catch (ConfigurationException | IOException | LoginException e) {
-      LOG.error("Phoenix cannot start: {}", e.getMessage());
+      LOG.error(CANNOT_START + "{}", e.getMessage());
       LOG.debug("Phoenix cannot start.", e);
       Runtime.getRuntime().exit(1);
     }
@@ -123,6 +126,10 @@ public final class Phoenix implements AutoCloseable {
 
   private void serve() throws IOException {
     daemon.recover();
+    // The registry's port before all, so that a daemon that answers is one that has started.
+    @Nullable Registry open =
+        configuration.registryPort() < 0 ? null : readOnlyRegistry(configuration.registryPort());
+    registry = open;
     // The activator first: whoever registers an object gets an ID with it.
     Activator activator = (Activator) export(configuration.activatorExporter(), activatorService);
     daemon.exported(activator);
@@ -131,8 +138,8 @@ public final class Phoenix implements AutoCloseable {
     ActivationSystem system =
         (ActivationSystem) export(configuration.systemExporter(), systemService);
     systemService.exported(system, monitor);
-    if (configuration.registryPort() >= 0) {
-      registry = readOnlyRegistry(configuration.registryPort(), system);
+    if (open != null) {
+      open.rebind(SYSTEM_NAME, system);
     }
     daemon.open();
     LOG.info("Phoenix is ready: {} groups.", daemon.status().size());
@@ -143,6 +150,7 @@ public final class Phoenix implements AutoCloseable {
     unexport(configuration.activatorExporter());
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
+    closeRegistry();
     daemon.abandon();
   }
 
@@ -150,12 +158,12 @@ public final class Phoenix implements AutoCloseable {
     try {
       return exporter.export(service);
     } catch (ExportException e) {
+      // Without the cause: an export exception's message repeats its cause's, over several lines.
       throw new ExportException(
           "Phoenix's port cannot be opened ("
-              + e.getMessage()
+              + innermost(e)
               + "); another phoenix may be running on this host: stop it, or give this one another"
-              + " port in its configuration",
-          e);
+              + " port");
     }
   }
 
@@ -166,11 +174,27 @@ public final class Phoenix implements AutoCloseable {
    * pass. Its sockets see to the rest. Binding here, in the registry's own virtual machine, meets
    * neither.
    */
-  private static Registry readOnlyRegistry(int port, ActivationSystem system) throws IOException {
+  private static Registry readOnlyRegistry(int port) throws IOException {
     System.setProperty("sun.rmi.registry.registryFilter", "!*");
-    Registry registry = LocateRegistry.createRegistry(port, null, new ReadOnlySockets());
-    registry.rebind(SYSTEM_NAME, system);
-    return registry;
+    try {
+      return LocateRegistry.createRegistry(port, null, new ReadOnlySockets());
+    } catch (ExportException e) {
+      throw new IOException(
+          "the registry's port "
+              + port
+              + " cannot be opened ("
+              + innermost(e)
+              + "); give it another one, or none with -1",
+          e);
+    }
+  }
+
+  private static String innermost(Throwable e) {
+    Throwable at = e;
+    while (at.getCause() != null) {
+      at = at.getCause();
+    }
+    return String.valueOf(at.getMessage());
   }
 
   private void closeSoon() {
@@ -199,6 +223,11 @@ public final class Phoenix implements AutoCloseable {
     daemon.stop(configuration.unexportTimeout());
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
+    closeRegistry();
+    closed.countDown();
+  }
+
+  private void closeRegistry() {
     if (registry != null) {
       try {
         java.rmi.server.UnicastRemoteObject.unexportObject(registry, true);
@@ -206,7 +235,6 @@ public final class Phoenix implements AutoCloseable {
         LOG.debug("The registry had ended before.", e);
       }
     }
-    closed.countDown();
   }
 
   private void awaitClosed() {

@@ -18,14 +18,19 @@ import java.util.List;
 import java.util.Properties;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.AnnotatedElementContext;
+import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.io.TempDirFactory;
 
 /** What is on the disk, after everything that may happen to it. */
 class JournalTest {
 
   private static final int NEVER = 1_000_000;
 
-  @TempDir Path temp;
+  @TempDir(factory = InMemory.class)
+  Path temp;
+
   private final ActivationGroupID group = new ActivationGroupID(null);
 
   @Test
@@ -232,6 +237,18 @@ class JournalTest {
           .filter(file -> file.getFileName().toString().startsWith(prefix))
           .findFirst()
           .orElseThrow();
+    }
+  }
+
+  /** Thousands of syncs cost minutes on a busy disk, and what is tried here is not the disk. */
+  static final class InMemory implements TempDirFactory {
+    @Override
+    public Path createTempDirectory(AnnotatedElementContext element, ExtensionContext extension)
+        throws IOException {
+      Path memory = Path.of("/dev/shm");
+      return Files.isWritable(memory)
+          ? Files.createTempDirectory(memory, "journal")
+          : Files.createTempDirectory("journal");
     }
   }
 
