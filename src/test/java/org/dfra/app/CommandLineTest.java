@@ -34,7 +34,7 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is demo, help, robot, test",
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, help, robot, test",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra help demo",

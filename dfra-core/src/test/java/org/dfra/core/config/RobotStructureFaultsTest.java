@@ -85,7 +85,8 @@ class RobotStructureFaultsTest {
     assertThat(folder().xml("<grup name=\"a\"/>").complaints())
         .containsExactly("robot.xml:2: <grup> is not known here; did you mean \"group\"?");
     assertThat(folder().xml("<behaviour/>", "<group name=\"a\"/>").complaints())
-        .containsExactly("robot.xml:2: <behaviour> is not known here; write <lookup> or <group>");
+        .containsExactly(
+            "robot.xml:2: <behaviour> is not known here; write <lookup> or <persona> or <group>");
   }
 
   @Test
@@ -133,5 +134,16 @@ class RobotStructureFaultsTest {
     } finally {
       Locale.setDefault(before);
     }
+  }
+
+  @Test
+  void aSecondPersonaAndAnEmptyGoal() {
+    assertThat(
+            folder()
+                .xml("<persona/>", "<persona><goal> </goal></persona>", "<group name=\"g\"/>")
+                .complaints())
+        .containsExactly(
+            "robot.xml:3: there is a second <persona>, the first is in line 2; make them one",
+            "robot.xml:3: the goal is empty; write a sentence, or delete it");
   }
 }
