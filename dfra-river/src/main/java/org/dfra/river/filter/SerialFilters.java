@@ -75,11 +75,11 @@ public final class SerialFilters {
    */
   public static ObjectInputStream guardResult(ObjectInputStream in, Method method) {
     in.setObjectInputFilter(
-        new GraphFilter(Configured.CALL, Configured.TYPES.with(List.of(method.getReturnType()))));
+        new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
     return in;
   }
 
-  /** The most bytes that a call's arguments or result may have. */
+  /** The most bytes that a call's arguments may have. */
   static long callBytes() {
     return Configured.CALL.bytes();
   }
@@ -103,8 +103,8 @@ public final class SerialFilters {
     return new GraphFilter(SerialLimits.STORED, Configured.TYPES);
   }
 
-  /** Makes a request's answer end with an exception beyond the bytes a call may have. */
+  /** Makes a request's answer end with an exception beyond the bytes a stream may have. */
   public static OutboundRequest bounded(OutboundRequest request) {
-    return new BoundedResponse(request, callBytes());
+    return new BoundedResponse(request, Configured.STREAM.bytes());
   }
 }

@@ -14,10 +14,13 @@ import java.util.Properties;
  */
 public record SerialLimits(long depth, long references, long bytes, long arrayLength) {
 
-  /** For the arguments and the result of one call between modules. */
+  /** For the arguments of one call. */
   public static final SerialLimits CALL = new SerialLimits(24, 200_000, 8 << 20, 4 << 20);
 
-  /** For every other stream from the network; a registrar may answer with thousands of services. */
+  /**
+   * For every other stream from the network, results too: a registrar may answer with thousands of
+   * services.
+   */
   public static final SerialLimits STREAM = new SerialLimits(24, 4_000_000, 64 << 20, 4 << 20);
 
   /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
