@@ -53,6 +53,8 @@ dependencies {
     testImplementation(rootProject.libs.archunit)
 }
 
+tasks.test { dependsOn(":dfra-river:dlJar") }
+
 val app = project(":dfra-app")
 val appLib = app.layout.buildDirectory.dir("lib")
 

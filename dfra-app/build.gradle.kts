@@ -15,4 +15,6 @@ tasks.register<Sync>("lib") {
     description = "Gathers the class path of ./dfra in build/lib: this jar, the other modules', and what they need."
     from(tasks.named("jar"), configurations.named("runtimeClasspath"))
     into(layout.buildDirectory.dir("lib"))
+    // What a class server serves; it is not on the class path.
+    into("dl") { from(project(":dfra-api").tasks.named("jar"), project(":dfra-river").tasks.named("dlJar")) }
 }

@@ -1,13 +1,18 @@
 package org.dfra.river.call;
 
 import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.time.Duration;
+import java.util.Collection;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.jeri.BasicILFactory;
+import net.jini.jeri.InvocationDispatcher;
 import net.jini.jeri.ObjectEndpoint;
+import net.jini.jeri.ServerCapabilities;
+import org.dfra.river.filter.FilteredInvocationDispatcher;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -61,6 +66,19 @@ public final class DeadlineILFactory extends BasicILFactory {
       Class[] interfaces, Remote impl, ObjectEndpoint endpoint) throws ExportException {
     super.createInvocationHandler(interfaces, impl, endpoint); // refuses what cannot be served
     return new DeadlineInvocationHandler(endpoint, getServerConstraints(), deadline);
+  }
+
+  /** Filters the arguments of every call before they are built. */
+  @Override
+  @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
+  protected InvocationDispatcher createInvocationDispatcher(
+      Collection methods, Remote impl, ServerCapabilities capabilities) throws ExportException {
+    return new FilteredInvocationDispatcher(
+        (Collection<Method>) methods,
+        capabilities,
+        getServerConstraints(),
+        getPermissionClass(),
+        getClassLoader());
   }
 
   /**

@@ -19,6 +19,7 @@ import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
 import net.jini.security.proxytrust.TrustEquivalence;
+import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -132,6 +133,18 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       Object proxy, Method method, OutboundRequest request, Collection context) throws IOException {
     CallInFlight.leaving(request);
     return super.createMarshalOutputStream(proxy, method, request, context);
+  }
+
+  /** Filters the result before it is built. */
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  protected ObjectInputStream createMarshalInputStream(
+      Object proxy, Method method, OutboundRequest request, boolean integrity, Collection context)
+      throws IOException {
+    return SerialFilters.guardResult(
+        super.createMarshalInputStream(
+            proxy, method, SerialFilters.bounded(request), integrity, context),
+        method);
   }
 
   private Object peer() {

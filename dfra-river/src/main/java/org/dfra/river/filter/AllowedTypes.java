@@ -1,0 +1,213 @@
+package org.dfra.river.filter;
+
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
+import java.rmi.server.UnicastRemoteObject;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Which classes a stream may name. First the refusals, which nothing overrides; then what is
+ * allowed: values of the JDK, River, DFRA, classes that came from trusted code, and what is
+ * configured.
+ */
+final class AllowedTypes {
+
+  /** Whole packages of the JDK, without those below them. */
+  private static final Set<String> JDK_PACKAGES =
+      Set.of(
+          "java.lang",
+          "java.math",
+          "java.time",
+          "java.time.chrono",
+          "java.time.zone",
+          "java.util",
+          "java.util.concurrent",
+          "java.util.concurrent.atomic",
+          "java.util.concurrent.locks",
+          "java.rmi",
+          "java.rmi.activation",
+          "java.rmi.dgc",
+          "java.rmi.registry",
+          "java.rmi.server");
+
+  private static final Set<String> JDK_CLASSES =
+      Set.of(
+          "java.io.Externalizable",
+          "java.io.File",
+          "java.io.Serializable",
+          "java.lang.reflect.Proxy",
+          "java.net.Inet4Address",
+          "java.net.Inet6Address",
+          "java.net.InetAddress",
+          "java.net.InetSocketAddress",
+          "java.net.URI",
+          "java.security.Principal",
+          "java.util.logging.Level",
+          "javax.security.auth.x500.X500Principal");
+
+  /** Packages with all below them. */
+  private static final List<String> OURS = List.of("net.jini.", "com.sun.jini.", "org.dfra.");
+
+  /** Known to do harm when read; packages end in a dot. */
+  private static final List<String> REFUSED =
+      List.of(
+          "bsh.",
+          "clojure.",
+          "com.mchange.",
+          "com.sun.org.apache.",
+          "com.sun.rowset.",
+          "com.sun.syndication.",
+          "groovy.",
+          "java.lang.invoke.",
+          "javax.management.",
+          "javax.naming.",
+          "javax.script.",
+          "javax.swing.",
+          "javassist.",
+          "org.apache.commons.beanutils.",
+          "org.apache.commons.collections.",
+          "org.apache.commons.collections4.",
+          "org.apache.commons.fileupload.",
+          "org.apache.xalan.",
+          "org.codehaus.groovy.",
+          "org.hibernate.",
+          "org.mozilla.javascript.",
+          "org.python.",
+          "org.springframework.",
+          "sun.reflect.",
+          "sun.rmi.");
+
+  private final List<String> patterns;
+  private final ClassValue<String> reasons =
+      new ClassValue<>() {
+        @Override
+        protected String computeValue(Class<?> type) {
+          @Nullable String reason = reason(type);
+          return reason == null ? "" : reason;
+        }
+      };
+
+  /**
+   * @param patterns what else is allowed: a class, {@code package.*}, or {@code package.**} with
+   *     all packages below it
+   * @throws IllegalArgumentException if one would allow everything, or is none of these
+   */
+  AllowedTypes(Collection<String> patterns) {
+    for (String pattern : patterns) {
+      if (!pattern.matches("[\\w$]+(\\.[\\w$]+)*(\\.\\*\\*?)?")) {
+        throw new IllegalArgumentException(
+            "\""
+                + pattern
+                + "\" is neither a class nor package.* nor package.**; mend dfra.serial.allow");
+      }
+    }
+    this.patterns = List.copyOf(patterns);
+  }
+
+  /** These and the packages of {@code types}, such as those of a remote method's parameters. */
+  AllowedTypes with(Collection<Class<?>> types) {
+    List<String> more = new ArrayList<>(patterns);
+    types.stream()
+        .map(AllowedTypes::element)
+        .filter(type -> !type.isPrimitive() && type.getClassLoader() != null)
+        .filter(type -> reason(type) != null && !type.getPackageName().isEmpty())
+        .map(type -> type.getPackageName() + ".*")
+        .distinct()
+        .forEach(more::add);
+    return more.size() == patterns.size() ? this : new AllowedTypes(more);
+  }
+
+  /**
+   * Checks one class.
+   *
+   * @throws RefusedDataException if it may not be read
+   */
+  void check(Class<?> type) {
+    String reason = reasons.get(type);
+    if (!reason.isEmpty()) {
+      throw new RefusedDataException(reason);
+    }
+  }
+
+  private @Nullable String reason(Class<?> named) {
+    Class<?> type = element(named);
+    String name = type.getName();
+    if (type.isPrimitive()) {
+      return null;
+    }
+    if (REFUSED.stream().anyMatch(name::startsWith)
+        || UnicastRemoteObject.class.isAssignableFrom(type)) {
+      return "refused to read a " + name + ": it is known to do harm when it is read";
+    }
+    if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked by themselves
+      return null;
+    }
+    if (InvocationHandler.class.isAssignableFrom(type)
+        && type != InvocationHandler.class
+        && !name.equals("java.rmi.server.RemoteObjectInvocationHandler")
+        && !isOurs(name)
+        && !isTrusted(type)) {
+      return "refused to read a proxy whose handler is a "
+          + name
+          + ": only River's, DFRA's and trusted code's may handle one";
+    }
+    if (isOurs(name) || isOfTheJdk(type, name) || isTrusted(type) || isConfigured(name)) {
+      return null;
+    }
+    return "refused to read a "
+        + name
+        + ": it is not among the classes that may come from outside; if your module sends it, add"
+        + " its package to dfra.serial.allow where it is read";
+  }
+
+  private static Class<?> element(Class<?> type) {
+    Class<?> element = type;
+    while (element.isArray()) {
+      element = element.getComponentType();
+    }
+    return element;
+  }
+
+  private static boolean isOurs(String name) {
+    return OURS.stream().anyMatch(name::startsWith);
+  }
+
+  private static boolean isTrusted(Class<?> type) {
+    return type.getClassLoader() instanceof TrustedLoader;
+  }
+
+  private static boolean isOfTheJdk(Class<?> type, String name) {
+    if (type.getClassLoader() != null) {
+      return false;
+    }
+    return JDK_PACKAGES.contains(type.getPackageName())
+        || JDK_CLASSES.contains(name)
+        || (Throwable.class.isAssignableFrom(type) && name.startsWith("java"));
+  }
+
+  private boolean isConfigured(String name) {
+    return patterns.stream().anyMatch(pattern -> matches(pattern, name));
+  }
+
+  private static boolean matches(String pattern, String name) {
+    if (pattern.endsWith(".**")) {
+      return name.startsWith(pattern.substring(0, pattern.length() - 2));
+    }
+    if (pattern.endsWith(".*")) {
+      String start = pattern.substring(0, pattern.length() - 1);
+      return name.startsWith(start) && name.indexOf('.', start.length()) < 0;
+    }
+    return name.equals(pattern) || name.startsWith(pattern + "$");
+  }
+
+  /** Splits what a system property lists. */
+  static AllowedTypes parse(String list) {
+    return new AllowedTypes(
+        Arrays.stream(list.split(",")).map(String::trim).filter(s -> !s.isEmpty()).toList());
+  }
+}

@@ -1,0 +1,110 @@
+package org.dfra.river.filter;
+
+import java.io.ObjectInputFilter;
+import java.io.ObjectInputStream;
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import net.jini.jeri.OutboundRequest;
+
+/**
+ * The deserialization filters of this virtual machine.
+ *
+ * <p>System properties: {@code dfra.serial.allow} lists further classes and packages, and {@code
+ * dfra.serial.depth}, {@code .references}, {@code .bytes} and {@code .array} replace limits for
+ * everything that comes from the network. They are read once.
+ */
+public final class SerialFilters {
+
+  private SerialFilters() {}
+
+  /** What is configured; read when it is first needed, so that a main can set it before. */
+  private static final class Configured {
+    static final AllowedTypes TYPES =
+        AllowedTypes.parse(System.getProperty("dfra.serial.allow", ""));
+    static final SerialLimits CALL = SerialLimits.CALL.with(System.getProperties());
+    static final SerialLimits STREAM = SerialLimits.STREAM.with(System.getProperties());
+  }
+
+  /**
+   * Filters every object stream that this virtual machine reads from now on. The first line of a
+   * main: once a stream was read, the JDK takes no filter factory any more. Doing it again does
+   * nothing.
+   *
+   * @throws IllegalStateException if it is too late or another factory is in place
+   * @throws IllegalArgumentException if a {@code dfra.serial} property makes no sense
+   */
+  public static synchronized void install() {
+    checkConfiguration();
+    try {
+      ObjectInputFilter.Config.setSerialFilterFactory(new SerialFilterFactory());
+    } catch (IllegalStateException e) {
+      if (!isInstalled()) {
+        throw new IllegalStateException(
+            "deserialization filters cannot be put in place any more: an object stream was read or"
+                + " another filter factory was set before; call SerialFilters.install() first in"
+                + " main",
+            e);
+      }
+    }
+  }
+
+  private static void checkConfiguration() {
+    try {
+      Configured.TYPES.with(List.of());
+    } catch (ExceptionInInitializerError e) {
+      if (e.getCause() instanceof IllegalArgumentException wrong) {
+        throw wrong;
+      }
+      throw e;
+    }
+  }
+
+  /** Whether every object stream of this virtual machine is filtered. */
+  public static boolean isInstalled() {
+    return ObjectInputFilter.Config.getSerialFilterFactory() instanceof SerialFilterFactory;
+  }
+
+  /**
+   * Filters the result of one call, on the stream it will be read from.
+   *
+   * @param in a stream that nothing was read from
+   * @param method the method called; the package of its result is allowed too
+   */
+  public static ObjectInputStream guardResult(ObjectInputStream in, Method method) {
+    in.setObjectInputFilter(
+        new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
+    return in;
+  }
+
+  /** The most bytes that a call's arguments may have. */
+  static long callBytes() {
+    return Configured.CALL.bytes();
+  }
+
+  /** What the arguments of these methods may hold: the packages of their parameters too. */
+  static AllowedTypes argumentsOf(Collection<Method> methods) {
+    List<Class<?>> types = new ArrayList<>();
+    methods.forEach(method -> types.addAll(Arrays.asList(method.getParameterTypes())));
+    return Configured.TYPES.with(types);
+  }
+
+  static ObjectInputFilter call(AllowedTypes types) {
+    return new GraphFilter(Configured.CALL, types);
+  }
+
+  static GraphFilter stream() {
+    return new GraphFilter(Configured.STREAM, Configured.TYPES);
+  }
+
+  static GraphFilter stored() {
+    return new GraphFilter(SerialLimits.STORED, Configured.TYPES);
+  }
+
+  /** Makes a request's answer end with an exception beyond the bytes a stream may have. */
+  public static OutboundRequest bounded(OutboundRequest request) {
+    return new BoundedResponse(request, Configured.STREAM.bytes());
+  }
+}

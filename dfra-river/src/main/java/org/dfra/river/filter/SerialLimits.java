@@ -1,0 +1,103 @@
+package org.dfra.river.filter;
+
+import java.io.ObjectInputFilter.FilterInfo;
+import java.util.Properties;
+
+/**
+ * How large a serialized graph may be.
+ *
+ * @param depth nested objects; also bounds the time that nested hash sets can cost, which doubles
+ *     with every level
+ * @param references objects and back references in one stream
+ * @param bytes bytes of one stream, and bytes that its arrays may claim together
+ * @param arrayLength elements of one array
+ */
+public record SerialLimits(long depth, long references, long bytes, long arrayLength) {
+
+  /** For the arguments of one call. */
+  public static final SerialLimits CALL = new SerialLimits(24, 200_000, 8 << 20, 4 << 20);
+
+  /**
+   * For every other stream from the network, results too: a registrar may answer with thousands of
+   * services.
+   */
+  public static final SerialLimits STREAM = new SerialLimits(24, 4_000_000, 64 << 20, 4 << 20);
+
+  /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
+  public static final SerialLimits STORED =
+      new SerialLimits(24, Long.MAX_VALUE, Long.MAX_VALUE, 16 << 20);
+
+  public SerialLimits {
+    if (depth < 1 || references < 1 || bytes < 1 || arrayLength < 1) {
+      throw new IllegalArgumentException(
+          "a limit below 1: depth "
+              + depth
+              + ", references "
+              + references
+              + ", bytes "
+              + bytes
+              + ", array length "
+              + arrayLength);
+    }
+  }
+
+  /**
+   * These limits, those changed that are set.
+   *
+   * @param properties {@code dfra.serial.depth}, {@code .references}, {@code .bytes} and {@code
+   *     .array}
+   * @throws IllegalArgumentException if one is no whole number above 0
+   */
+  SerialLimits with(Properties properties) {
+    return new SerialLimits(
+        number(properties, "depth", depth),
+        number(properties, "references", references),
+        number(properties, "bytes", bytes),
+        number(properties, "array", arrayLength));
+  }
+
+  private static long number(Properties properties, String name, long otherwise) {
+    String key = "dfra.serial." + name;
+    String text = properties.getProperty(key);
+    if (text == null) {
+      return otherwise;
+    }
+    try {
+      long number = Long.parseLong(text.trim());
+      if (number >= 1) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw new IllegalArgumentException(
+        key + " = \"" + text + "\" is no whole number above 0; mend the system property");
+  }
+
+  /**
+   * Compares a stream's progress with the limits.
+   *
+   * @throws RefusedDataException if it is beyond one of them
+   */
+  void check(FilterInfo info) {
+    atMost(info.depth(), depth, "objects nested", "dfra.serial.depth");
+    atMost(info.references(), references, "objects", "dfra.serial.references");
+    atMost(info.streamBytes(), bytes, "bytes", "dfra.serial.bytes");
+    atMost(info.arrayLength(), arrayLength, "elements in one array", "dfra.serial.array");
+  }
+
+  static void atMost(long seen, long allowed, String what, String key) {
+    if (seen > allowed) {
+      throw new RefusedDataException(
+          "refused to read on: "
+              + seen
+              + " "
+              + what
+              + " > "
+              + allowed
+              + " allowed; send less, or raise "
+              + key
+              + " where it is read");
+    }
+  }
+}

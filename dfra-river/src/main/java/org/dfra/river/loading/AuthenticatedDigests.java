@@ -1,0 +1,95 @@
+package org.dfra.river.loading;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The digests that an authenticated peer vouches for while one of its messages is read.
+ *
+ * <p>A secure endpoint opens a scope around the reading of a call's arguments or result, once it
+ * knows who the peer is, that this peer may bring code, and that nobody can alter the connection;
+ * it passes on the codebase annotations of that stream alone, not those of marshalled objects in
+ * it, which are a third party's words:
+ *
+ * <pre>
+ *   try (var scope = AuthenticatedDigests.open(principal)) {
+ *     scope.vouch(annotation); // in readAnnotation() of the stream
+ *     ...                      // resolveClass() asks the class provider in this thread
+ *   }
+ * </pre>
+ *
+ * <p>Plain TCP authenticates nobody and must never open one. A scope belongs to the thread that
+ * opened it; an inner scope hides the outer one until it is closed.
+ */
+public final class AuthenticatedDigests {
+
+  private static final ThreadLocal<@Nullable Scope> CURRENT = new ThreadLocal<>();
+
+  private AuthenticatedDigests() {}
+
+  /**
+   * Opens a scope in this thread, in which nothing is vouched for yet.
+   *
+   * @param peer who it is, for the log
+   */
+  public static Scope open(String peer) {
+    Scope scope = new Scope(peer, CURRENT.get());
+    CURRENT.set(scope);
+    return scope;
+  }
+
+  /** Who vouches for a digest in this thread now, or null if nobody does. */
+  static @Nullable String voucher(String digest) {
+    Scope scope = CURRENT.get();
+    return scope != null && scope.digests.contains(digest) ? scope.peer : null;
+  }
+
+  /** What one peer vouches for, until it is closed. */
+  public static final class Scope implements AutoCloseable {
+
+    private final String peer;
+    private final @Nullable Scope outer;
+    private final Thread owner = Thread.currentThread();
+    private final Set<String> digests = new HashSet<>();
+
+    private Scope(String peer, @Nullable Scope outer) {
+      this.peer = peer;
+      this.outer = outer;
+    }
+
+    /**
+     * The peer vouches for every digest of a codebase annotation.
+     *
+     * @throws CodeRefusedException if it is not of the form {@code httpmd:…;sha-256=…}
+     * @throws IllegalStateException in another thread, or when the scope is closed or hidden
+     */
+    public void vouch(String codebase) {
+      checkCurrent();
+      CodebaseUrl.parse(codebase).forEach(url -> digests.add(url.digest()));
+    }
+
+    /** The peer vouches for nothing any more. What was loaded meanwhile stays. */
+    @Override
+    public void close() {
+      checkCurrent();
+      if (outer == null) {
+        CURRENT.remove();
+      } else {
+        CURRENT.set(outer);
+      }
+    }
+
+    private void checkCurrent() {
+      if (CURRENT.get() != this) {
+        throw new IllegalStateException(
+            "the scope of "
+                + peer
+                + " was opened in "
+                + owner.getName()
+                + " and is not the innermost open one in "
+                + Thread.currentThread().getName());
+      }
+    }
+  }
+}

@@ -1,0 +1,17 @@
+package org.dfra.river.loading;
+
+import org.jspecify.annotations.Nullable;
+
+/** Code was not loaded: the message names the codebase, says why, and what to do. */
+public final class CodeRefusedException extends SecurityException {
+
+  private static final long serialVersionUID = 1L;
+
+  CodeRefusedException(String message) {
+    this(message, null);
+  }
+
+  CodeRefusedException(String message, @Nullable Throwable cause) {
+    super(message, cause);
+  }
+}

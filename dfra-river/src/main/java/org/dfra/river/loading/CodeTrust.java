@@ -1,0 +1,53 @@
+package org.dfra.river.loading;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.security.cert.X509Certificate;
+import java.util.Set;
+
+/**
+ * Whose code this virtual machine loads.
+ *
+ * @param signers certificates of the keys that may sign jars; each stands for its own key only, not
+ *     for those it signed
+ * @param pinned SHA-256 digests of jars that are loaded whoever signed them
+ * @param limits what a download may cost
+ */
+public record CodeTrust(Set<X509Certificate> signers, Set<String> pinned, CodeLimits limits) {
+
+  /** System property with the path of the trust file. Where it is not set, nobody is trusted. */
+  public static final String PROPERTY = "dfra.trust";
+
+  /** Nobody is trusted: no code is loaded from elsewhere. */
+  public static final CodeTrust NONE = new CodeTrust(Set.of(), Set.of(), CodeLimits.DEFAULT);
+
+  public CodeTrust {
+    signers = Set.copyOf(signers);
+    pinned = Set.copyOf(pinned);
+    for (String digest : pinned) {
+      if (!digest.matches("[0-9a-f]{64}")) {
+        throw new IllegalArgumentException(
+            "the pinned digest \"" + digest + "\" is no SHA-256: write 64 digits 0-9 and a-f");
+      }
+    }
+  }
+
+  /**
+   * Reads a trust file; its keys are in docs/reference/trusted-code.md.
+   *
+   * @throws IOException naming the file and the key if it cannot be read or makes no sense
+   */
+  public static CodeTrust read(Path file) throws IOException {
+    return new TrustFile(file).read();
+  }
+
+  /**
+   * What system property {@value #PROPERTY} names, or {@link #NONE}.
+   *
+   * @throws IOException as {@link #read} does
+   */
+  public static CodeTrust configured() throws IOException {
+    String file = System.getProperty(PROPERTY);
+    return file == null || file.isBlank() ? NONE : read(Path.of(file));
+  }
+}

@@ -1,0 +1,181 @@
+package org.dfra.river.loading;
+
+import java.io.IOException;
+import java.lang.reflect.Modifier;
+import java.lang.reflect.Proxy;
+import java.rmi.server.RMIClassLoaderSpi;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where RMI, and with it River, gets classes from: the local class path first, then the codebase
+ * that came with the object, if that is trusted.
+ *
+ * <p>It is put in place by {@link TrustedCode#install()} or {@code
+ * -Djava.rmi.server.RMIClassLoaderSpi=org.dfra.river.loading.VerifiedClassProvider}. It needs no
+ * security manager. River's own provider loads from a codebase only under one, and any.
+ */
+public final class VerifiedClassProvider extends RMIClassLoaderSpi {
+
+  private static final String CODEBASE = "java.rmi.server.codebase";
+  private static final Set<String> PRIMITIVES =
+      Set.of("boolean", "byte", "char", "short", "int", "long", "float", "double", "void");
+
+  private final @Nullable Loaders given;
+
+  /** As the JDK makes it: trusts what {@link TrustedCode} says. */
+  public VerifiedClassProvider() {
+    given = null;
+    TrustedCode.inPlace();
+  }
+
+  /** Trusts what is said here. */
+  public VerifiedClassProvider(CodeTrust trust) {
+    given = new Loaders(new Admission(trust), System::nanoTime);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws ClassNotFoundException if it is not on the class path and its codebase is refused (the
+   *     cause is a {@link CodeRefusedException}), cannot be fetched, or does not have it
+   */
+  @Override
+  public Class<?> loadClass(
+      @Nullable String codebase, String name, @Nullable ClassLoader defaultLoader)
+      throws ClassNotFoundException {
+    if (PRIMITIVES.contains(name)) {
+      throw new ClassNotFoundException(name + " is a primitive type, not a class");
+    }
+    for (ClassLoader local : local(defaultLoader)) {
+      try {
+        return Class.forName(name, false, local);
+      } catch (ClassNotFoundException e) {
+        // another may have it
+      }
+    }
+    return Class.forName(name, false, downloaded(codebase, name));
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws ClassNotFoundException as {@link #loadClass} does, or if the interfaces fit no proxy
+   */
+  @Override
+  public Class<?> loadProxyClass(
+      @Nullable String codebase, String[] interfaces, @Nullable ClassLoader defaultLoader)
+      throws ClassNotFoundException {
+    for (ClassLoader local : local(defaultLoader)) {
+      try {
+        return proxyClass(interfaces, local);
+      } catch (ClassNotFoundException e) {
+        // another may have them
+      }
+    }
+    return proxyClass(interfaces, downloaded(codebase, "a proxy of " + Arrays.asList(interfaces)));
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws CodeRefusedException if the codebase is not trusted or cannot be fetched
+   */
+  @Override
+  public ClassLoader getClassLoader(@Nullable String codebase) {
+    if (codebase == null || codebase.isBlank()) {
+      return context();
+    }
+    try {
+      return loaders().loader(codebase, context());
+    } catch (IOException e) {
+      throw new CodeRefusedException(String.valueOf(e.getMessage()), e);
+    }
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>A downloaded class keeps the codebase it came from; one of the class path has what system
+   * property {@code java.rmi.server.codebase} says now; one of the JDK has none.
+   */
+  @Override
+  public @Nullable String getClassAnnotation(Class<?> type) {
+    Class<?> element = type;
+    while (element.isArray()) {
+      element = element.getComponentType();
+    }
+    ClassLoader loader = element.getClassLoader();
+    if (loader == null || loader == ClassLoader.getPlatformClassLoader()) {
+      return null;
+    }
+    if (loader instanceof VerifiedLoader downloaded) {
+      return downloaded.codebase();
+    }
+    String codebase = System.getProperty(CODEBASE);
+    return codebase == null || codebase.isBlank() ? null : codebase;
+  }
+
+  private ClassLoader downloaded(@Nullable String codebase, String what)
+      throws ClassNotFoundException {
+    if (codebase == null || codebase.isBlank()) {
+      throw new ClassNotFoundException(
+          what
+              + " is not on the class path, and no codebase came with it; add its jar, or have its"
+              + " sender serve one");
+    }
+    try {
+      return loaders().loader(codebase, context());
+    } catch (CodeRefusedException | IOException e) {
+      throw new ClassNotFoundException(what + " was not loaded: " + e.getMessage(), e);
+    }
+  }
+
+  private Loaders loaders() throws IOException {
+    return given != null ? given : TrustedCode.loaders();
+  }
+
+  private static Set<ClassLoader> local(@Nullable ClassLoader defaultLoader) {
+    Set<ClassLoader> local = new LinkedHashSet<>();
+    if (defaultLoader != null) {
+      local.add(defaultLoader);
+    }
+    local.add(context());
+    return local;
+  }
+
+  private static ClassLoader context() {
+    ClassLoader context = Thread.currentThread().getContextClassLoader();
+    return context == null ? ClassLoader.getSystemClassLoader() : context;
+  }
+
+  private static Class<?> proxyClass(String[] names, ClassLoader loader)
+      throws ClassNotFoundException {
+    Class<?>[] interfaces = new Class<?>[names.length];
+    ClassLoader definer = loader;
+    for (int i = 0; i < names.length; i++) {
+      interfaces[i] = Class.forName(names[i], false, loader);
+      if (!Modifier.isPublic(interfaces[i].getModifiers())) {
+        definer = interfaces[i].getClassLoader(); // only it may define a proxy of such a one
+      }
+    }
+    try {
+      return proxyClass(definer, interfaces);
+    } catch (IllegalArgumentException e) {
+      throw new ClassNotFoundException(
+          Arrays.stream(names).collect(Collectors.joining(", "))
+              + " cannot be implemented by one proxy ("
+              + e.getMessage()
+              + "); see that its parts come from one class loader",
+          e);
+    }
+  }
+
+  @SuppressWarnings("deprecation") // the stream wants the class, the instance is not ours to make
+  private static Class<?> proxyClass(@Nullable ClassLoader definer, Class<?>[] interfaces) {
+    return Proxy.getProxyClass(definer, interfaces);
+  }
+}

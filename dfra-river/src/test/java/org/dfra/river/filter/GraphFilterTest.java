@@ -1,0 +1,209 @@
+package org.dfra.river.filter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.sun.management.ThreadMXBean;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InvalidClassException;
+import java.io.ObjectInputStream;
+import java.io.ObjectStreamClass;
+import java.lang.management.ManagementFactory;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.rmi.ServerException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import org.assertj.core.api.AbstractThrowableAssert;
+import org.dfra.module.Identification;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class GraphFilterTest {
+
+  private static final long LONG_ARRAY =
+      ObjectStreamClass.lookupAny(long[].class).getSerialVersionUID();
+  private static final long OBJECT_ARRAY =
+      ObjectStreamClass.lookupAny(Object[].class).getSerialVersionUID();
+
+  @TempDir private Path folder;
+  private Payload payload;
+
+  @BeforeEach
+  void compile() throws IOException {
+    payload = new Payload(folder);
+    Payload.reset();
+  }
+
+  @Test
+  void readsWhatModulesSend() throws Exception {
+    List<Object> values =
+        List.of(
+            "text",
+            3.5,
+            new double[361],
+            new String[][] {{"a"}},
+            Readiness.READY,
+            EnumSet.of(Readiness.READY),
+            UUID.randomUUID(),
+            Instant.EPOCH,
+            Duration.ofSeconds(2),
+            new HashMap<>(Map.of("a", List.of(1, 2))),
+            new TreeMap<>(Map.of("a", "b")),
+            new Identification("atrv1", "gps_front", "GPS", "DFRA", "1.0"));
+    for (Object value : values) {
+      assertThat(read(Payload.bytes(value))).as(value.getClass().getName()).isEqualTo(value);
+    }
+    Exception failure = new ServerException("x", new NoSuchFileException("a", "b", "c"));
+    failure.addSuppressed(new IllegalStateException(new ArithmeticException()));
+    assertThat(read(Payload.bytes(failure))).hasToString(failure.toString());
+    Object many = new ArrayList<>(java.util.Collections.nCopies(50_000, Instant.EPOCH));
+    assertThat(read(Payload.bytes(many))).isEqualTo(many);
+    assertThat(read(Payload.bytes(Payload.nested(12)))).isNotNull();
+  }
+
+  @Test
+  void refusesGadgetsBeforeAnyOfThemRuns() throws Exception {
+    for (Map.Entry<String, Object> gadget : payload.gadgets().entrySet()) {
+      byte[] bytes = Payload.bytes(gadget.getValue());
+      Payload.reset();
+      assertRefused(bytes).as(gadget.getKey()).hasMessageContaining("refused to read a ");
+      assertThat(Payload.ran()).as(gadget.getKey()).isFalse();
+    }
+  }
+
+  @Test
+  void refusesWhatIsKnownToDoHarmAlsoWhereItIsConfigured() throws Exception {
+    List<String> known =
+        List.of(
+            "com.sun.org.apache.xalan.internal.xsltc.trax.TemplatesImpl",
+            "java.rmi.server.UnicastRemoteObject",
+            "javax.management.BadAttributeValueExpException",
+            "javax.swing.JEditorPane");
+    AllowedTypes all = new AllowedTypes(known);
+    for (String name : known) {
+      byte[] bytes = Payload.objectOf(name, 1);
+      assertThatThrownBy(() -> read(bytes, all))
+          .as(name)
+          .isInstanceOf(InvalidClassException.class)
+          .cause()
+          .hasMessageContaining("refused to read a " + name)
+          .hasMessageContaining("known to do harm");
+    }
+  }
+
+  @Test
+  void refusesADeclaredLengthBeforeMemoryIsTaken() throws Exception {
+    byte[] longs = Payload.array("[J", LONG_ARRAY, Integer.MAX_VALUE - 8);
+    byte[] objects = Payload.array("[Ljava.lang.Object;", OBJECT_ARRAY, 1 << 24);
+    byte[] claims = Payload.array("[J", LONG_ARRAY, 2 << 20);
+    ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    assertRefused(Payload.array("[J", LONG_ARRAY, Integer.MAX_VALUE - 8)); // loads the classes
+    long before = thread.getThreadAllocatedBytes(Thread.currentThread().getId());
+    assertRefused(longs)
+        .hasMessageContaining("2147483639 elements in one array > 4194304 allowed")
+        .hasMessageContaining("dfra.serial.array");
+    assertRefused(objects).hasMessageContaining("16777216 elements in one array");
+    assertRefused(claims).hasMessageContaining("16777216 bytes claimed by arrays > 8388608");
+    assertThat(thread.getThreadAllocatedBytes(Thread.currentThread().getId()) - before)
+        .as("bytes allocated")
+        .isLessThan(1 << 20);
+  }
+
+  @Test
+  void refusesArraysThatClaimTooMuchTogether() throws Exception {
+    long[][] many = new long[9][1 << 17]; // 9 MiB
+    assertRefused(Payload.bytes(many)).hasMessageContaining("bytes");
+  }
+
+  @Test
+  void refusesDeepNesting() throws Exception {
+    assertRefused(Payload.bytes(Payload.nested(100)))
+        .hasMessageContaining("25 objects nested > 24 allowed")
+        .hasMessageContaining("dfra.serial.depth");
+  }
+
+  @Test
+  void refusesAHashBombInTime() throws Exception {
+    byte[] bomb = Payload.bytes(Payload.bomb(30)); // 2 to the 30 where it is built
+    long began = System.nanoTime();
+    assertRefused(bomb).hasMessageContaining("objects nested");
+    assertThat(System.nanoTime() - began).isLessThan(TimeUnit.SECONDS.toNanos(5));
+  }
+
+  @Test
+  void refusesTooManyObjects() throws Exception {
+    List<Object> many = new ArrayList<>();
+    for (int i = 0; i < 200_001; i++) {
+      many.add(i);
+    }
+    assertRefused(Payload.bytes(many)).hasMessageContaining("objects > 200000 allowed");
+  }
+
+  @Test
+  void allowsWhatIsConfiguredAndWhatAMethodNames() throws Exception {
+    byte[] bytes = Payload.bytes(payload.object());
+    for (String pattern : List.of("elsewhere.Payload", "elsewhere.*", "elsewhere.**")) {
+      assertThat(read(bytes, AllowedTypes.parse(" " + pattern + ", other.** "))).isNotNull();
+    }
+    Class<?> type = payload.object().getClass();
+    assertThat(read(bytes, new AllowedTypes(List.of()).with(List.of(type.arrayType()))))
+        .isNotNull();
+    for (String pattern : List.of("elsewhere", "else.**", "elsewhere.Pay", "elsewhere.sub.**")) {
+      assertThatThrownBy(() -> read(bytes, AllowedTypes.parse(pattern)))
+          .isInstanceOf(InvalidClassException.class);
+    }
+  }
+
+  @Test
+  void saysWhichConfigurationIsWrong() {
+    for (String pattern : List.of("*", "**", "a..b", "com.*.x", "a b")) {
+      assertThatThrownBy(() -> AllowedTypes.parse(pattern))
+          .hasMessage(
+              "\""
+                  + pattern
+                  + "\" is neither a class nor package.* nor package.**; mend"
+                  + " dfra.serial.allow");
+    }
+    java.util.Properties wrong = new java.util.Properties();
+    wrong.setProperty("dfra.serial.depth", "deep");
+    assertThatThrownBy(() -> SerialLimits.CALL.with(wrong))
+        .hasMessage(
+            "dfra.serial.depth = \"deep\" is no whole number above 0; mend the system property");
+  }
+
+  private AbstractThrowableAssert<?, ?> assertRefused(byte[] bytes) {
+    return assertThatThrownBy(() -> read(bytes))
+        .isInstanceOf(InvalidClassException.class)
+        .cause()
+        .isInstanceOf(RefusedDataException.class);
+  }
+
+  private Object read(byte[] bytes) throws IOException, ClassNotFoundException {
+    return read(bytes, new AllowedTypes(List.of()));
+  }
+
+  private Object read(byte[] bytes, AllowedTypes types) throws IOException, ClassNotFoundException {
+    try (ObjectInputStream in =
+        new ObjectInputStream(new ByteArrayInputStream(bytes)) {
+          @Override
+          protected Class<?> resolveClass(ObjectStreamClass type) throws ClassNotFoundException {
+            return Class.forName(type.getName(), false, payload.loader());
+          }
+        }) {
+      in.setObjectInputFilter(SerialFilters.call(types));
+      return in.readObject();
+    }
+  }
+}

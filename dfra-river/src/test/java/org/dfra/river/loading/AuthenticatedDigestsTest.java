@@ -1,0 +1,52 @@
+package org.dfra.river.loading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Test;
+
+class AuthenticatedDigestsTest {
+
+  private static final String DIGEST = "a".repeat(64);
+  private static final String CODEBASE = "httpmd://h:1/a.jar;sha-256=" + DIGEST;
+
+  @Test
+  void countsInItsThreadUntilItIsClosed() {
+    try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
+      assertThat(AuthenticatedDigests.voucher(DIGEST)).as("opened is not vouched").isNull();
+      scope.vouch(CODEBASE);
+      assertThat(AuthenticatedDigests.voucher(DIGEST)).isEqualTo("CN=atrv1");
+      assertThat(
+              CompletableFuture.supplyAsync(
+                      () -> String.valueOf(AuthenticatedDigests.voucher(DIGEST)))
+                  .join())
+          .as("in another thread")
+          .isEqualTo("null");
+    }
+    assertThat(AuthenticatedDigests.voucher(DIGEST)).isNull();
+  }
+
+  @Test
+  void anInnerCallOfAnotherPeerHidesTheOuterOne() {
+    try (AuthenticatedDigests.Scope outer = AuthenticatedDigests.open("CN=atrv1")) {
+      outer.vouch(CODEBASE);
+      try (AuthenticatedDigests.Scope inner = AuthenticatedDigests.open("CN=atrv2")) {
+        assertThat(inner).isNotNull();
+        assertThat(AuthenticatedDigests.voucher(DIGEST)).isNull();
+        assertThatThrownBy(() -> outer.vouch(CODEBASE))
+            .isInstanceOf(IllegalStateException.class)
+            .hasMessageContaining("scope of CN=atrv1");
+      }
+      assertThat(AuthenticatedDigests.voucher(DIGEST)).isEqualTo("CN=atrv1");
+    }
+  }
+
+  @Test
+  void vouchesForDigestsOnly() {
+    try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
+      assertThatThrownBy(() -> scope.vouch("http://h/a.jar"))
+          .isInstanceOf(CodeRefusedException.class);
+    }
+  }
+}

@@ -1,0 +1,145 @@
+package org.dfra.loading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class TrustedCodeIT {
+
+  @TempDir private static Path shared;
+  private static Path team;
+  private static Path stranger;
+  private static RoleProcess registrar;
+  private static String port;
+
+  @TempDir private Path folder;
+
+  @BeforeAll
+  static void startRegistrar() throws Exception {
+    team = KindJar.key(shared, "team");
+    stranger = KindJar.key(shared, "stranger");
+    Path configuration = shared.resolve("reggie.config");
+    Files.writeString(
+        configuration,
+        """
+        import net.jini.jeri.BasicJeriExporter;
+        import org.dfra.river.call.Endpoints;
+        import org.dfra.river.call.DeadlineILFactory;
+        com.sun.jini.reggie {
+          serverExporter = new BasicJeriExporter(
+              Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(5000L), false, true);
+          serverSocketFactory = Endpoints.sockets("127.0.0.1");
+          unicastDiscoveryHost = "127.0.0.1";
+          initialUnicastDiscoveryPort = 0;
+          multicastInterfaces = new java.net.NetworkInterface[] {};
+        }
+        """);
+    registrar = new RoleProcess(List.of(), List.of(), "registrar", configuration.toString());
+    port = registrar.awaitLine();
+  }
+
+  @AfterAll
+  static void stopRegistrar() throws Exception {
+    if (registrar != null) {
+      registrar.close();
+    }
+  }
+
+  @Test
+  void aKindTheClientHasNeverSeenIsUsedAndAfterItIsRebuiltTheNewOne() throws Exception {
+    Path jar = KindJar.sign(KindJar.lidar(folder, "first"), team);
+    try (RoleProcess client = client()) {
+      String classPort;
+      try (RoleProcess server = server(jar, "0", "honest")) {
+        classPort = server.awaitLine();
+        assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
+        assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
+      }
+      jar = KindJar.sign(KindJar.lidar(folder, "second"), team);
+      try (RoleProcess server = server(jar, classPort, "honest")) {
+        assertThat(server.awaitLine()).as("the same port").isEqualTo(classPort);
+        assertThat(client.ask(port)).isEqualTo("found [second, 3, atrv1/lidar, READY]");
+      }
+      assertThat(client.output()).contains("it is signed by a trusted key");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "stranger, honest, 'is signed by CN=stranger, whose key is not trusted here'",
+    "nobody, honest, 'the jar is not signed, and its digest alone says nothing of who made it'",
+    "team, tampered, 'what is served there has SHA-256 '",
+    "team, http, 'http: is not loaded from, only httpmd: with a sha-256 digest'"
+  })
+  void aCorrectUrlOfAStrangersJarLoadsNothing(String signer, String lie, String why)
+      throws Exception {
+    Path jar = KindJar.lidar(folder, "evil");
+    if (!signer.equals("nobody")) {
+      KindJar.sign(jar, signer.equals("team") ? team : stranger);
+    }
+    try (RoleProcess server = server(jar, "0", lie);
+        RoleProcess client = client()) {
+      server.awaitLine();
+      assertThat(client.ask(port))
+          .startsWith("refused: ")
+          .contains("sample.lidar.LidarProxy was not loaded: codebase http")
+          .contains(why);
+      assertThat(marker()).doesNotExist();
+      assertThat(client.output()).as("the log tells the operator").contains("WARN");
+    }
+  }
+
+  @Test
+  void aHostileRegistrarLoadsNothing() throws Exception {
+    Path jar = KindJar.registrar(folder);
+    try (RoleProcess hostile =
+            new RoleProcess(List.of(jar), List.of(), "hostile", folder.toString());
+        RoleProcess client = client()) {
+      assertThat(client.ask(hostile.awaitLine()))
+          .startsWith("refused: ")
+          .contains("sample.evil.Registrar was not loaded: codebase httpmd://")
+          .contains("the jar is not signed");
+      assertThat(marker()).doesNotExist();
+    }
+  }
+
+  @Test
+  void theMarkerIsWrittenWhereTheCodeIsTrusted() throws Exception {
+    Path jar = KindJar.sign(KindJar.lidar(folder, "trusted"), team);
+    try (RoleProcess server = server(jar, "0", "honest");
+        RoleProcess client = client()) {
+      server.awaitLine();
+      assertThat(client.ask(port)).startsWith("found [trusted");
+      assertThat(marker()).as("so its absence elsewhere says something").exists();
+    }
+  }
+
+  private RoleProcess server(Path jar, String classPort, String lie) throws IOException {
+    return new RoleProcess(
+        List.of(jar), List.of(), "server", port, classPort, jar.getParent().toString(), lie);
+  }
+
+  private RoleProcess client() throws Exception {
+    Path trust = folder.resolve("trust.properties");
+    Files.writeString(
+        trust, "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n");
+    RoleProcess client =
+        new RoleProcess(
+            List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
+    client.awaitLine();
+    return client;
+  }
+
+  private Path marker() {
+    return folder.resolve("marker");
+  }
+}
