@@ -23,9 +23,9 @@ import org.dfra.persona.SensorAttributes;
 /** A module that is only listed. */
 record BenchModule(UUID id, String robot, String name) implements Module, Serializable {
 
-  private static final int PER_ROBOT = 50;
+  private static final int PER_ROBOT = 20;
 
-  /** One of many; each robot has fifty. */
+  /** One of many; each robot has twenty. */
   static BenchModule of(int number) {
     return new BenchModule(
         UUID.randomUUID(), "robot" + number / PER_ROBOT, "module" + number % PER_ROBOT);

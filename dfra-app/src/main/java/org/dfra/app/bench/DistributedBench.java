@@ -1,6 +1,8 @@
 package org.dfra.app.bench;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -115,16 +117,20 @@ final class DistributedBench implements Bench {
           "a new client's cache complete, " + MANY + " modules",
           (System.nanoTime() - began) / 1e9,
           "s");
+      ThreadMXBean threads = ManagementFactory.getThreadMXBean();
       double[] nanos = new double[ROUNDS * QUERIES];
+      double[] busy = new double[ROUNDS * QUERIES];
       for (int pass = 0; pass < 2; pass++) { // the first warms up
         for (int i = 0; i < nanos.length; i++) {
           ModuleQuery<Module> query =
               ModuleQuery.of(Module.class)
                   .where(SensorAttributes.class, "maxRate", Condition.atLeast(36 + i % 4))
                   .where(SensorAttributes.class, "modes", Condition.contains("night"));
+          long worked = threads.getCurrentThreadCpuTime();
           long asked = System.nanoTime();
           List<ModuleListing<Module>> found = directory.find(query);
           nanos[i] = System.nanoTime() - asked;
+          busy[i] = threads.getCurrentThreadCpuTime() - worked;
           if (found.isEmpty()) {
             throw new IOException("nothing matches " + query);
           }
