@@ -16,5 +16,7 @@ tasks.register<Sync>("lib") {
     from(tasks.named("jar"), configurations.named("runtimeClasspath"))
     into(layout.buildDirectory.dir("lib"))
     // What a class server serves; it is not on the class path.
-    into("dl") { from(project(":dfra-api").tasks.named("jar"), project(":dfra-river").tasks.named("dlJar")) }
+    into("dl") {
+        from(project(":dfra-api").tasks.named("jar"), project(":dfra-core").tasks.named("jar"), project(":dfra-river").tasks.named("dlJar"))
+    }
 }

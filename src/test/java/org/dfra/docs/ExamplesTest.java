@@ -38,16 +38,21 @@ class ExamplesTest {
               "java.time.Duration",
               "java.util.List",
               "org.dfra.directory.*",
+              "org.dfra.event.*",
               "org.dfra.flow.sensor.*",
               "org.dfra.geometry.GeoPosition",
+              "org.dfra.lease.ModuleLease",
               "org.dfra.persona.*",
+              "org.dfra.river.filter.SerialFilters",
+              "org.dfra.river.loading.TrustedCode",
               "org.dfra.river.lookup.JiniModuleDirectory")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
 
   /** What an example may take as given. */
   private static final String GIVEN =
-      "String host, List<String> groups, List<String> locators, GeoPosition here";
+      "String host, List<String> groups, List<String> locators, GeoPosition here,"
+          + " GPSSensor receiver";
 
   @TempDir Path folder;
 

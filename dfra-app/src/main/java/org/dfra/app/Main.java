@@ -1,7 +1,10 @@
 package org.dfra.app;
 
+import java.io.IOException;
 import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.demo.DemoCommand;
+import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.TrustedCode;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -36,11 +39,18 @@ public final class Main {
 
   /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
   public static void main(String[] args) {
+    SerialFilters.install(); // before anything is read that somebody else wrote
     if (System.getenv(LOG_LEVEL) == null && System.getProperty(LOG_LEVEL) == null) {
       System.setProperty(LOG_LEVEL, "WARN"); // a terminal is for answers
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
+    try {
+      TrustedCode.install();
+    } catch (IOException e) {
+      System.err.println("dfra: " + e.getMessage());
+      System.exit(1);
+    }
     System.exit(commandLine().execute(args));
   }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dfra.river.loading.TrustedCode;
 
 /**
  * How another virtual machine of DFRA is started from this one: the same java, the same boot and
@@ -27,6 +28,7 @@ public final class JvmCommand {
   /** The options that a virtual machine of DFRA needs: boot path, class path, quick start. */
   public static List<String> options() {
     List<String> options = new ArrayList<>(bootOptions());
+    options.addAll(TrustedCode.options());
     options.add("-XX:TieredStopAtLevel=1");
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");

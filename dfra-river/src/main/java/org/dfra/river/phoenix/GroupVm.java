@@ -10,6 +10,8 @@ import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import net.jini.activation.ActivationGroup;
+import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
@@ -35,7 +37,9 @@ public final class GroupVm {
 
   /** Waits to be told the group, takes its lock, creates it. */
   public static void main(String[] args) {
+    SerialFilters.install();
     try {
+      TrustedCode.install();
       ObjectInputStream in = new ObjectInputStream(System.in);
       ActivationGroupID id = (ActivationGroupID) in.readObject();
       ActivationGroupDesc desc = (ActivationGroupDesc) in.readObject();

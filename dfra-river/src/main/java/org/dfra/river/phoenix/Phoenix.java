@@ -21,6 +21,8 @@ import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
+import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -74,9 +76,11 @@ public final class Phoenix implements AutoCloseable {
    * @param args the Jini configuration: a file and overrides, as for any River service
    */
   public static void main(String[] args) throws InterruptedException {
+    SerialFilters.install();
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
     try {
+      TrustedCode.install();
       Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
       Runtime.getRuntime().addShutdownHook(new Thread(phoenix::close, "phoenix-end"));
       phoenix.closed.await();
