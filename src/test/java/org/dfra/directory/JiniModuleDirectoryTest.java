@@ -18,9 +18,12 @@ import java.util.Set;
 import java.util.UUID;
 import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
+import net.jini.config.ConfigurationException;
+import net.jini.core.lease.Lease;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistration;
+import net.jini.lease.LeaseRenewalManager;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
@@ -28,6 +31,7 @@ import org.dfra.persona.PersonaAttributes;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
@@ -66,6 +70,9 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();
     private final Set<ListedGps> local = new HashSet<>();
 
+    /** Thousands of modules take longer to register than the lease of the first. */
+    private final LeaseRenewalManager renewals = renewals();
+
     JiniStage(EmbeddedReggie reggie, JiniModuleDirectory directory) {
       this.reggie = reggie;
       this.directory = directory;
@@ -87,8 +94,9 @@ class JiniModuleDirectoryTest extends DirectoryContract {
         known.setAttributes(Entries.of(attributes));
         return;
       }
-      registrations.put(
-          module.id(), register(reggie, module.id(), module, attributes, 100 * LEASE));
+      ServiceRegistration begun = register(reggie, module.id(), module, attributes, 100 * LEASE);
+      renewals.renewUntil(begun.getLease(), Lease.FOREVER, null);
+      registrations.put(module.id(), begun);
     }
 
     @Override
@@ -99,20 +107,32 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
     @Override
     public void withdraw(UUID id) throws Exception {
-      registrations.remove(id).getLease().cancel();
+      renewals.cancel(registrations.remove(id).getLease());
     }
 
     @Override
     public void loseSight() throws Exception {
+      renewals.clear();
       reggie.close();
     }
 
     @Override
     public void close() throws Exception {
+      renewals.clear();
       local.forEach(module -> LocalModules.leave(module.id(), module));
       for (EmbeddedReggie each : reggies) {
         each.close();
       }
+    }
+  }
+
+  private static LeaseRenewalManager renewals() {
+    try {
+      return new LeaseRenewalManager(
+          new SuppliedConfiguration(
+              Map.of("net.jini.lease.LeaseRenewalManager.roundTripTime", () -> 1_000L)));
+    } catch (ConfigurationException e) {
+      throw new IllegalStateException(e);
     }
   }
 
