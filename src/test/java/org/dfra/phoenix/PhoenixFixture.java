@@ -281,10 +281,32 @@ class PhoenixFixture implements AutoCloseable {
     }
   }
 
-  /** Sends a signal by name. */
+  /** Sends a signal by name; returns from STOP when every thread of the process has stopped. */
   static void signal(String name, long pid) throws Exception {
     Process kill = new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start();
     assertThat(kill.waitFor()).as("kill -%s %s", name, pid).isZero();
+    if (name.equals("STOP")) {
+      await("process " + pid + " to stop")
+          .atMost(PATIENCE)
+          .pollInterval(Duration.ofMillis(10))
+          .until(() -> states(pid).chars().allMatch(state -> state == 'T'));
+    }
+  }
+
+  /** The states of a process's threads, a letter each (proc(5)). */
+  private static String states(long pid) throws IOException {
+    StringBuilder states = new StringBuilder();
+    try (Stream<Path> tasks = Files.list(Path.of("/proc", Long.toString(pid), "task"))) {
+      for (Path task : tasks.toList()) {
+        states.append(state(task));
+      }
+    }
+    return states.toString();
+  }
+
+  private static char state(Path process) throws IOException {
+    String stat = Files.readString(process.resolve("stat"));
+    return stat.charAt(stat.lastIndexOf(')') + 2);
   }
 
   /** Kills as {@code kill -9} does and waits for the end. */
@@ -304,8 +326,7 @@ class PhoenixFixture implements AutoCloseable {
   /** A process gives its files back before it becomes a zombie, but after its command line. */
   private static boolean hasEnded(long pid) {
     try {
-      String stat = Files.readString(Path.of("/proc", Long.toString(pid), "stat"));
-      char state = stat.charAt(stat.lastIndexOf(')') + 2);
+      char state = state(Path.of("/proc", Long.toString(pid)));
       return state == 'Z' || state == 'X';
     } catch (IOException e) {
       return true;
