@@ -44,7 +44,7 @@ class ExamplesTest {
               "org.dfra.lease.ModuleLease",
               "org.dfra.persona.*",
               "org.dfra.river.filter.SerialFilters",
-              "org.dfra.river.loading.TrustedCode",
+              "org.dfra.river.loading.*",
               "org.dfra.river.lookup.JiniModuleDirectory")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
@@ -52,7 +52,7 @@ class ExamplesTest {
   /** What an example may take as given. */
   private static final String GIVEN =
       "String host, List<String> groups, List<String> locators, GeoPosition here,"
-          + " GPSSensor receiver";
+          + " GPSSensor receiver, java.nio.file.Path folder";
 
   @TempDir Path folder;
 
