@@ -11,8 +11,7 @@ import java.io.Serializable;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 import java.net.URI;
-import java.net.URL;
-import java.net.URLClassLoader;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -51,7 +50,27 @@ final class Payload {
   /** Compiles the payload's class where no class path has it. */
   Payload(Path folder) throws IOException {
     Path classes = TestCode.compile(folder, Map.of("elsewhere.Payload", SOURCE));
-    loader = new URLClassLoader(new URL[] {classes.toUri().toURL()}, getClass().getClassLoader());
+    loader = new FolderLoader(classes);
+  }
+
+  /** No URL class loader, whose classes River would annotate with a file: codebase. */
+  private static final class FolderLoader extends ClassLoader {
+    private final Path classes;
+
+    FolderLoader(Path classes) {
+      super(Payload.class.getClassLoader());
+      this.classes = classes;
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+      try {
+        byte[] bytes = Files.readAllBytes(classes.resolve(name.replace('.', '/') + ".class"));
+        return defineClass(name, bytes, 0, bytes.length);
+      } catch (IOException e) {
+        throw new ClassNotFoundException(name, e);
+      }
+    }
   }
 
   /** Where its class can be found, as if it were on the victim's class path. */
