@@ -6,12 +6,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.phoenix.GroupStatus;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -108,14 +110,26 @@ final class RobotCommand implements Callable<Integer> {
       out.println("Started phoenix: process " + pid + ", log " + phoenix.log() + ".");
     }
     out.flush();
-    for (RobotBootstrap.Service service : new RobotBootstrap(phoenix, robot).up()) {
+    RobotBootstrap bootstrap = new RobotBootstrap(phoenix, robot);
+    for (RobotBootstrap.Service service : bootstrap.up()) {
       out.println("Up: " + service.name() + " in group " + service.group() + ".");
     }
+    sayClasses(bootstrap, out);
     for (GroupStatus group : phoenix.admin().groupStatus()) {
       out.println(
           "Group " + group.name() + ": process " + group.pid() + ", log " + group.output() + ".");
     }
     return 0;
+  }
+
+  /** A robot without its class server works, but not for clients that lack its classes. */
+  private static void sayClasses(RobotBootstrap bootstrap, PrintWriter out) throws IOException {
+    Optional<RobotClasses> classes = bootstrap.classes();
+    if (classes.isPresent()) {
+      String served =
+          "Classes: at http://" + classes.get().host() + ":" + classes.get().port() + ".";
+      out.println(classes.get().missing().map(fault -> "Classes: " + fault + ".").orElse(served));
+    }
   }
 
   private PhoenixProcess phoenix(String host) {

@@ -31,6 +31,7 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.PersonaEntry;
+import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
@@ -86,6 +87,10 @@ public final class RobotBootstrap {
    *     before stays up
    */
   public List<Service> up() throws ActivationException, IOException {
+    Optional<RobotClasses> classes = classes();
+    if (classes.isPresent()) {
+      classes.get().check();
+    }
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
@@ -139,6 +144,29 @@ public final class RobotBootstrap {
     }
   }
 
+  /**
+   * What the robot serves to clients that lack its classes: DFRA's own download jars, where {@code
+   * dfra.lib} says they are, and those of its modules. Empty if the robot runs no class server, or
+   * there is nothing to serve.
+   *
+   * @throws IOException if DFRA's own are not where they should be
+   */
+  public Optional<RobotClasses> classes() throws IOException {
+    Optional<RegistrarDescription> registrar =
+        robot.registrar().filter(RegistrarDescription::servesClasses);
+    if (registrar.isEmpty()) {
+      return Optional.empty();
+    }
+    Path kept = phoenix.state().toAbsolutePath().resolve("classes").resolve(robot.name());
+    List<List<Path>> kinds =
+        robot.modules().stream()
+            .map(each -> each.download().stream().map(Path::of).toList())
+            .toList();
+    return Optional.of(
+            new RobotClasses(host, registrar.get().classes(), kept, kinds, DownloadJars.ofDfra()))
+        .filter(classes -> !classes.isEmpty());
+  }
+
   /** Where the module keeps what outlives its virtual machine. */
   private Path state(ModuleDescription module) {
     return phoenix
@@ -149,8 +177,8 @@ public final class RobotBootstrap {
         .resolve(module.name());
   }
 
-  private BootstrapLoader loader() {
-    return new BootstrapLoader(phoenix.admin(), phoenix.system(), robot.name());
+  private BootstrapLoader loader() throws IOException {
+    return new BootstrapLoader(phoenix.admin(), phoenix.system(), robot.name(), classes());
   }
 
   /**

@@ -27,6 +27,7 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.proxy.LocalModules;
 
 /**
@@ -74,6 +75,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     super(clock);
     this.settings = settings;
     this.clock = clock;
+    TrustedCode.installUnlessTaken();
     this.sightings = new Sightings(table(), this::locality);
     try {
       this.discovery =
