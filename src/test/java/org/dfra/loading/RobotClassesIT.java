@@ -48,9 +48,10 @@ class RobotClassesIT {
   @Test
   void whoeverIsRestartedFirstAfterARebuildEveryClientGoesOn() throws Exception {
     Path team = KindJar.key(folder, "team");
-    Path kind = KindJar.sign(KindJar.lidar(dl, "first"), team);
+    Path own = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robot's own");
+    KindJar.sign(KindJar.lidar(dl, "first"), team);
     String trust = "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n";
-    try (RoleProcess robot = robot(kind);
+    try (RoleProcess robot = robot(own);
         RoleProcess client = client("old", trust)) {
       assertThat(robot.ask("up")).isEqualTo(ALL_IS_SERVED);
       awaitAnswer(client, "first");

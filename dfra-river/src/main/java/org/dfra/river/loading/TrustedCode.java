@@ -1,11 +1,15 @@
 package org.dfra.river.loading;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.rmi.server.RMIClassLoader;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -109,8 +113,15 @@ public final class TrustedCode {
 
   /** With which codebase a class of the class path leaves this virtual machine; null for none. */
   static @Nullable String annotation(Class<?> type) {
-    String own = kinds.get(type.getName());
-    String codebase = own != null ? own : System.getProperty(CODEBASE);
+    // A stub's class is made at run time; what its reader may lack are its interfaces.
+    Stream<Class<?>> named =
+        Proxy.isProxyClass(type) ? Arrays.stream(type.getInterfaces()) : Stream.of(type);
+    String codebase =
+        named
+            .map(each -> kinds.get(each.getName()))
+            .filter(Objects::nonNull)
+            .findFirst()
+            .orElseGet(() -> System.getProperty(CODEBASE));
     return codebase == null || codebase.isBlank() ? null : codebase;
   }
 
