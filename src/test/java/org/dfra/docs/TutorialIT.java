@@ -2,6 +2,7 @@ package org.dfra.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -16,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.awaitility.Awaitility;
+import org.dfra.module.Module;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,25 +50,26 @@ class TutorialIT {
     registrarPort = freePort();
     classPort = freePort();
     Path lib = Files.createDirectories(folder.resolve("lib"));
-    int number = 0;
-    for (String entry : System.getProperty("java.class.path").split(":")) {
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
       Path path = Path.of(entry);
-      if (Files.isDirectory(path) && !path.startsWith(Documents.ROOT.resolve("src/test"))) {
-        shell(
-            folder,
-            "jar --create --file '"
-                + lib.resolve("room" + number++ + ".jar")
-                + "' -C '"
-                + path
-                + "' .");
-      } else if (Files.isRegularFile(path)) {
-        Files.createSymbolicLink(lib.resolve(path.getFileName()), path);
+      if (!path.startsWith(Documents.ROOT.resolve("src/test"))) {
+        copy(path, lib);
       }
     }
-    Path dl = Files.createDirectory(lib.resolve("dl"));
-    Files.copy(lib.resolve("room0.jar"), dl.resolve("dfra.jar"));
+    Path api = Path.of(Module.class.getProtectionDomain().getCodeSource().getLocation().getPath());
+    copy(api, Files.createDirectory(lib.resolve("dl")));
     Files.writeString(folder.resolve("dfra"), launcher());
     assertThat(folder.resolve("dfra").toFile().setExecutable(true)).isTrue();
+  }
+
+  /** A jar as it is, a folder of classes as a jar. */
+  private static void copy(Path entry, Path to) throws IOException, InterruptedException {
+    if (Files.isRegularFile(entry)) {
+      Files.copy(entry, to.resolve(entry.getFileName()));
+    } else if (Files.isDirectory(entry)) { // .../dfra-core/target/classes, or Gradle's
+      String name = Documents.ROOT.relativize(entry).toString().replace(File.separator, "-");
+      shell(to, "jar --create --file '" + name + ".jar' -C '" + entry + "' .");
+    }
   }
 
   /** The last lines of {@code ./dfra}, which start the program, with this test's phoenix. */
