@@ -86,6 +86,7 @@ public final class RobotBootstrap {
    *     before stays up
    */
   public List<Service> up() throws ActivationException, IOException {
+    new KnownRobots(phoenix.state()).remember(robot);
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
