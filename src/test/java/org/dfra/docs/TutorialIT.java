@@ -78,8 +78,8 @@ class TutorialIT {
     return "#!/bin/sh\nset -eu\n"
         + ("root='" + Documents.ROOT + "' jdk='" + System.getProperty("java.home") + "'\n")
         + ("lib='" + folder.resolve("lib") + "' boot='" + System.getProperty("dfra.boot") + "'\n")
-        + ("set -- \"$@\" --port " + phoenixPort + " --registry-port -1 --state '")
-        + (folder.resolve("state") + "'\n")
+        + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
+        + ("[ $1 != up ] || set -- \"$@\" --port " + phoenixPort + " --registry-port -1\n")
         + script.substring(script.indexOf("set -f\n"));
   }
 

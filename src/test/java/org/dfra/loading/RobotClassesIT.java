@@ -153,7 +153,7 @@ class RobotClassesIT {
     return "found [" + build + ", 3, r1/laser, READY]";
   }
 
-  /** The process that brings robot r1 up, as {@code ./dfra robot} with these jars beside DFRA's. */
+  /** The process that brings robot r1 up, as {@code ./dfra up} with these jars beside DFRA's. */
   private RoleProcess robot(Path onClassPath) throws Exception {
     Path server = KindJar.lidarServer(folder, onClassPath);
     Path xml =

@@ -91,6 +91,7 @@ public final class RobotBootstrap {
     if (classes.isPresent()) {
       classes.get().check();
     }
+    new KnownRobots(phoenix.state()).remember(robot);
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
@@ -145,26 +146,13 @@ public final class RobotBootstrap {
   }
 
   /**
-   * What the robot serves to clients that lack its classes: DFRA's own download jars, where {@code
-   * dfra.lib} says they are, and those of its modules. Empty if the robot runs no class server, or
+   * What the robot serves to clients that lack its classes. Empty if it runs no class server, or
    * there is nothing to serve.
    *
-   * @throws IOException if DFRA's own are not where they should be
+   * @throws IOException if DFRA's own jars are not where they should be
    */
   public Optional<RobotClasses> classes() throws IOException {
-    Optional<RegistrarDescription> registrar =
-        robot.registrar().filter(RegistrarDescription::servesClasses);
-    if (registrar.isEmpty()) {
-      return Optional.empty();
-    }
-    Path kept = phoenix.state().toAbsolutePath().resolve("classes").resolve(robot.name());
-    List<List<Path>> kinds =
-        robot.modules().stream()
-            .map(each -> each.download().stream().map(Path::of).toList())
-            .toList();
-    return Optional.of(
-            new RobotClasses(host, registrar.get().classes(), kept, kinds, DownloadJars.ofDfra()))
-        .filter(classes -> !classes.isEmpty());
+    return DownloadJars.of(robot, host, phoenix.state());
   }
 
   /** Where the module keeps what outlives its virtual machine. */
@@ -221,6 +209,20 @@ public final class RobotBootstrap {
         loader.module(
             loader.group(home), group, module, host, locators(), multicastGroups(), state(module)),
         module.place());
+  }
+
+  /**
+   * Starts a module that was stopped or has crashed; nothing happens where it runs.
+   *
+   * @param module name of the module
+   * @throws ConfigurationException if the robot has no module of that name
+   * @throws ActivationException if it cannot be activated
+   */
+  public void start(String module) throws ActivationException, IOException {
+    BootstrapLoader.Registered known = known(loader(), module, "start");
+    activate(
+        new Service(robot.name() + "/" + module, known.group(), known.id()),
+        known.activation().module().place());
   }
 
   /**
@@ -366,22 +368,14 @@ public final class RobotBootstrap {
       throws ActivationException, IOException {
     Path folder = phoenix.state().resolve("registrars");
     Files.createDirectories(folder);
-    List<String> arguments = new ArrayList<>();
-    arguments.add(RobotBootstrap.class.getResource("registrar.config").toString());
-    override(arguments, "host", PhoenixProcess.quote(host));
-    override(arguments, "initialUnicastDiscoveryPort", Integer.toString(registrar.port()));
-    override(
-        arguments,
-        "persistenceDirectory",
-        PhoenixProcess.quote(folder.resolve(robot.name()).toString()));
-    override(arguments, "initialMemberGroups", array(robot.lookupGroups()));
-    if (multicastGroups().isEmpty()) { // neither to announce itself nor to listen for others
-      String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
-      arguments.add("com.sun.jini.reggie." + none);
-      arguments.add("net.jini.discovery.LookupDiscovery." + none);
-    }
-    return loader.registrar(
-        group, registrar, new MarshalledObject<>(arguments.toArray(String[]::new)));
+    String[] arguments =
+        RegistrarArguments.of(
+            host,
+            registrar.port(),
+            folder.resolve(robot.name()),
+            robot.lookupGroups(),
+            !multicastGroups().isEmpty());
+    return loader.registrar(group, registrar, new MarshalledObject<>(arguments));
   }
 
   /** The robot's own registrar is joined by unicast too: its modules need no multicast for it. */
@@ -399,15 +393,5 @@ public final class RobotBootstrap {
   /** None where the robot is on the loopback: nobody elsewhere could reach what was announced. */
   private List<String> multicastGroups() {
     return HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups();
-  }
-
-  private static void override(List<String> arguments, String entry, String expression) {
-    arguments.add("com.sun.jini.reggie." + entry + "=" + expression);
-  }
-
-  private static String array(List<String> texts) {
-    return "new String[]{"
-        + String.join(",", texts.stream().map(PhoenixProcess::quote).toList())
-        + "}";
   }
 }
