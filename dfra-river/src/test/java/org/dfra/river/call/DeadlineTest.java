@@ -24,6 +24,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.id.UuidFactory;
@@ -163,6 +165,31 @@ class DeadlineTest {
     assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
     // When the peer goes away its threads come free, and it is tried again.
     mute.close();
+  }
+
+  @Test
+  void peerThatAnswersSlowlyIsAwaitedLongerThanOneThatCannotBeReached() throws Exception {
+    Duration deadline = Duration.ofMinutes(2); // as for an activation, which starts a process
+    ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    open.add(mute);
+    long began = System.nanoTime();
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(() -> proxy(mute.getLocalPort(), deadline.toMillis()).echo("x"))
+        .withMessageContaining("got no answer within 2000 ms; it has not run");
+    assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(deadline.dividedBy(2));
+
+    Service slow = export(deadline.toMillis());
+    Future<?> call =
+        threads.submit(
+            () -> {
+              slow.block();
+              return null;
+            });
+    blocked.await();
+    assertThatExceptionOfType(TimeoutException.class)
+        .isThrownBy(() -> call.get(3, TimeUnit.SECONDS));
+    release.countDown();
+    assertThat(call.get()).isNull();
   }
 
   @Test
