@@ -18,6 +18,7 @@ import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
+import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
@@ -82,7 +83,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     int held = SILENT.held(peer);
     if (held >= SilentPeers.LIMIT) {
       throw new DeadlineExceededException(
-          describe(method) + " was not tried: " + held + " calls to " + peer + " still hang");
+          describe(method) + " was not tried: " + held + " calls to " + name(peer) + " still hang");
     }
     CallInFlight call = new CallInFlight();
     FutureTask<@Nullable Object> answer =
@@ -103,6 +104,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       boolean mayHaveRun = call.mayHaveRun();
       long awaited = call.hasLeft() ? deadlineMillis : Math.min(deadlineMillis, CONNECTED_MILLIS);
       giveUp(call, peer);
+      if (peer instanceof TcpEndpoint server) {
+        PeerSockets.doubt(server);
+      }
       throw new DeadlineExceededException(describe(method), Duration.ofMillis(awaited), mayHaveRun);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -175,8 +179,18 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint;
   }
 
+  private static String name(Object peer) {
+    return peer instanceof TcpEndpoint server
+        ? "TcpEndpoint[" + server.getHost() + ":" + server.getPort() + "]"
+        : peer.toString();
+  }
+
   private String describe(Method method) {
-    return method.getDeclaringClass().getSimpleName() + "." + method.getName() + " on " + peer();
+    return method.getDeclaringClass().getSimpleName()
+        + "."
+        + method.getName()
+        + " on "
+        + name(peer());
   }
 
   @Override
