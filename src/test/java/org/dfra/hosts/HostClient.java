@@ -46,6 +46,7 @@ final class HostClient implements AutoCloseable {
   private static final Pattern ADDRESS = Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}");
 
   private final String address = HostAddress.resolve(HostAddress.AUTO);
+  private final MulticastRequests requests = new MulticastRequests(address);
   private final JiniModuleDirectory directory;
   private final Map<String, GPSSensor> used = new ConcurrentHashMap<>();
   private final Map<String, Subscription> subscriptions = new TreeMap<>();
@@ -82,6 +83,7 @@ final class HostClient implements AutoCloseable {
     return switch (verb) {
       case "list" -> list();
       case "robots" -> directory.personas().stream().map(each -> each.robot()).toList().toString();
+      case "requests" -> String.join(" ", requests.wanted());
       case "carried" -> carried(of);
       case "registered" -> registered(of);
       case "call" -> call(of);
@@ -180,5 +182,6 @@ final class HostClient implements AutoCloseable {
   public void close() {
     subscriptions.values().forEach(Subscription::close);
     directory.close();
+    requests.close();
   }
 }

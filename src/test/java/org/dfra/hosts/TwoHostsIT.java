@@ -83,6 +83,10 @@ class TwoHostsIT {
             .contains(address)
             .isSubsetOf(TestHosts.ADDRESSES);
       }
+      assertThat(host.ask("requests").split(" "))
+          .as("where multicast requests want their answers")
+          .isNotEmpty()
+          .isSubsetOf(TestHosts.ADDRESSES);
     }
     assertThat(hosts.get(0).list()).isEqualTo(hosts.get(1).list());
   }
