@@ -8,6 +8,9 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.DoubleStream;
+import org.dfra.app.log.LogbackLevels;
+import org.dfra.core.event.ListenerQueue;
+import org.dfra.module.LogLevel;
 import org.dfra.river.server.GPSServer;
 
 /**
@@ -39,6 +42,8 @@ final class EventBench implements Bench {
 
   @Override
   public void run(Report report) throws Exception {
+    // That the stopped one cannot be told is what is wanted here, and no news.
+    new LogbackLevels().set(ListenerQueue.class.getName(), LogLevel.ERROR);
     report.say("Starting " + LISTENERS + " processes that listen …");
     List<ListenerProcess> listeners = new ArrayList<>();
     try (BenchRegistrar reggie = new BenchRegistrar(LEASE);
