@@ -54,7 +54,7 @@ final class RobotHost implements AutoCloseable {
             links[0],
             prefix + "_GPS_REAR_LINK",
             links[1]),
-        "robot",
+        "up",
         Path.of(System.getProperty("dfra.root"), "config/teams/field", robot + ".xml").toString(),
         "--registry-port=-1",
         "--state=" + folder.resolve("state"));
