@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
 import org.dfra.robot.LivingPhoenix;
+import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -51,8 +52,8 @@ class RobotClassesIT {
     Path own = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robot's own");
     KindJar.sign(KindJar.lidar(dl, "first"), team);
     String trust = "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n";
-    try (RoleProcess robot = robot(own);
-        RoleProcess client = client("old", trust)) {
+    try (TalkingProcess robot = robot(own);
+        TalkingProcess client = client("old", trust)) {
       assertThat(robot.ask("up")).isEqualTo(ALL_IS_SERVED);
       awaitAnswer(client, "first");
 
@@ -79,10 +80,10 @@ class RobotClassesIT {
   void aClientThatPinsTheKindsOwnJarNeedsToTrustNoOther() throws Exception {
     Path kind = KindJar.lidar(dl, "pinned"); // signed by nobody
     String pinned = "pinned.lidar = " + sha256(kind) + "\n";
-    try (RoleProcess robot = robot(kind)) {
+    try (TalkingProcess robot = robot(kind)) {
       assertThat(robot.ask("up")).isEqualTo(ALL_IS_SERVED);
       onlyANewClientGets("pinned", pinned);
-      try (RoleProcess distrustful = client("distrustful", "")) {
+      try (TalkingProcess distrustful = client("distrustful", "")) {
         await()
             .atMost(PATIENCE)
             .untilAsserted(
@@ -99,8 +100,8 @@ class RobotClassesIT {
   void aRobotWhoseClassPortIsTakenWorksAndServesWhenItIsFree() throws Exception {
     Path kind = KindJar.lidar(dl, "patient");
     ServerSocket taken = new ServerSocket(classPort, 5, InetAddress.getByName(Role.HOST));
-    try (RoleProcess robot = robot(kind);
-        RoleProcess client = client("patient", "pinned.lidar = " + sha256(kind) + "\n")) {
+    try (TalkingProcess robot = robot(kind);
+        TalkingProcess client = client("patient", "pinned.lidar = " + sha256(kind) + "\n")) {
       assertThat(robot.ask("up"))
           .startsWith("clients that lack lidar-dl.jar cannot download it from 127.0.0.1:")
           .endsWith("; see the registrar group's log");
@@ -119,13 +120,12 @@ class RobotClassesIT {
   void aGroupWhoseJarIsGoneWhenItStartsWorksForThoseWhoHaveTheClasses() throws Exception {
     Path kind = KindJar.lidar(dl, "gone");
     Path elsewhere = Files.copy(kind, folder.resolve("elsewhere.jar"));
-    try (RoleProcess robot = robot(elsewhere)) {
+    try (TalkingProcess robot = robot(elsewhere)) {
       assertThat(robot.ask("up")).isEqualTo(ALL_IS_SERVED);
       Files.delete(kind);
       phoenix.kill("r1.lasers");
-      try (RoleProcess client =
-          new RoleProcess(
-              List.of(elsewhere), List.of("-Ddfra.serial.allow=sample.lidar.*"), "client")) {
+      try (TalkingProcess client =
+          Role.start(List.of(elsewhere), List.of("-Ddfra.serial.allow=sample.lidar.*"), "client")) {
         client.awaitLine();
         awaitAnswer(client, "gone");
       }
@@ -137,12 +137,12 @@ class RobotClassesIT {
 
   /** Those that kept running may have what they need; this one has nothing. */
   private void onlyANewClientGets(String build, String trust) throws Exception {
-    try (RoleProcess client = client("new", trust)) {
+    try (TalkingProcess client = client("new", trust)) {
       awaitAnswer(client, build);
     }
   }
 
-  private void awaitAnswer(RoleProcess client, String build) {
+  private void awaitAnswer(TalkingProcess client, String build) {
     await()
         .atMost(PATIENCE)
         .untilAsserted(
@@ -154,7 +154,7 @@ class RobotClassesIT {
   }
 
   /** The process that brings robot r1 up, as {@code ./dfra up} with these jars beside DFRA's. */
-  private RoleProcess robot(Path onClassPath) throws Exception {
+  private TalkingProcess robot(Path onClassPath) throws Exception {
     Path server = KindJar.lidarServer(folder, onClassPath);
     Path xml =
         Files.writeString(
@@ -170,8 +170,8 @@ class RobotClassesIT {
             </robot>
             """
                 .formatted(port, classPort));
-    RoleProcess robot =
-        new RoleProcess(
+    TalkingProcess robot =
+        Role.start(
             List.of(onClassPath, server),
             List.of("-Ddfra.serial.allow=sample.lidar.*", "-Ddfra.lib=" + folder.resolve("lib")),
             "robot",
@@ -183,9 +183,9 @@ class RobotClassesIT {
     return robot;
   }
 
-  private RoleProcess client(String name, String trust) throws Exception {
+  private TalkingProcess client(String name, String trust) throws Exception {
     Path file = Files.writeString(folder.resolve(name + ".properties"), trust);
-    RoleProcess client = new RoleProcess(List.of(), List.of("-Ddfra.trust=" + file), "client");
+    TalkingProcess client = Role.start(List.of(), List.of("-Ddfra.trust=" + file), "client");
     client.awaitLine();
     return client;
   }

@@ -3,6 +3,7 @@ package org.dfra.loading;
 import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.File;
+import java.io.IOException;
 import java.io.InputStreamReader;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationHandler;
@@ -12,6 +13,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.rmi.Remote;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import net.jini.core.discovery.LookupLocator;
@@ -32,6 +34,7 @@ import org.dfra.river.loading.ClassServer;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters;
+import org.dfra.testing.TalkingProcess;
 
 /** What the test's processes do. Each says a line when it is ready and ends with its input. */
 final class Role {
@@ -187,7 +190,20 @@ final class Role {
   }
 
   private static void say(String line) {
-    System.out.println("said " + line);
+    System.out.println(TalkingProcess.SAID + line);
+  }
+
+  /**
+   * Starts a process in a role.
+   *
+   * @param path what is on its class path besides the test's own
+   */
+  static TalkingProcess start(List<Path> path, List<String> options, String... role)
+      throws IOException {
+    List<String> command = new ArrayList<>(TalkingProcess.java(classPath(path), options));
+    command.add(Role.class.getName());
+    command.addAll(List.of(role));
+    return new TalkingProcess(command);
   }
 
   /** A class path of this one and what else. */
