@@ -57,7 +57,9 @@ final class EchoCommand implements Callable<Integer> {
     try (Team team = options.open();
         Listening open = new Listening(module.in(team), lines, listening.count())) {
       long lost = open.run(policy, listening.time());
-      options.answer().remark(lines.shown + " events, " + lost + " lost");
+      options
+          .answer()
+          .remark(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");
     }
     return ExitCode.WELL;
   }

@@ -91,7 +91,7 @@ final class Listening implements AutoCloseable {
               module.path() + " tells no more: an administrator has revoked the lease");
         }
         elapsed = System.nanoTime() - begin;
-        if (wait == untilTick && !ear.tick(open.lost())) {
+        if (elapsed < time.toNanos() && wait == untilTick && !ear.tick(open.lost())) {
           break;
         }
       }

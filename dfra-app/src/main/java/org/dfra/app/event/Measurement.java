@@ -98,7 +98,7 @@ abstract class Measurement implements Callable<Integer> {
 
     private String sentence(long lost) {
       if (events.size() < 2) {
-        return events.size() == 0 ? "no event yet" : "one event yet";
+        return events.size() == 0 ? "no event so far" : "one event so far";
       }
       return inWords(events)
           + "; "

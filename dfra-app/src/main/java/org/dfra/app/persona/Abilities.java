@@ -1,5 +1,8 @@
 package org.dfra.app.persona;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -75,20 +78,28 @@ final class Abilities {
     return Inline.of(attributes);
   }
 
+  /** With four digits, and no more of them than it has. */
+  private static String number(double value) {
+    return new BigDecimal(value)
+        .round(new MathContext(4, RoundingMode.HALF_EVEN))
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+
   private static String sensor(SensorAttributes sensor) {
     StringBuilder line = new StringBuilder("reads " + sensor.reading());
     if (sensor.maxRate() > 0) {
       line.append(" at ");
       if (sensor.minRate() < sensor.maxRate()) {
-        line.append(Inline.of(sensor.minRate())).append(" to ");
+        line.append(number(sensor.minRate())).append(" to ");
       }
-      line.append(Inline.of(sensor.maxRate())).append(" Hz");
+      line.append(number(sensor.maxRate())).append(" Hz");
     }
     if (!sensor.modes().isEmpty()) {
       line.append(", modes ").append(String.join(" ", sensor.modes()));
     }
     if (sensor.power() != null) {
-      line.append(", draws ").append(Inline.of(sensor.power())).append(" W");
+      line.append(", draws ").append(number(sensor.power())).append(" W");
     }
     for (String each : sensor.preconditions()) {
       line.append("; needs: ").append(each);

@@ -9,6 +9,7 @@ import org.dfra.app.module.ModuleTable;
 import org.dfra.app.module.ModuleView;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QuerySyntaxException;
@@ -19,10 +20,7 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code ./dfra persona find}. */
 @Command(
@@ -51,10 +49,6 @@ final class FindCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private TeamOptions options;
 
-  @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private CommandSpec spec;
-
   @Override
   public Integer call() throws Exception {
     try (Team team = options.open()) {
@@ -75,7 +69,7 @@ final class FindCommand implements Callable<Integer> {
     try {
       return new QueryParser(QueryVocabulary.usual().with(seen)).parse(String.join(" ", words));
     } catch (QuerySyntaxException e) {
-      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+      throw new CommandFailure(ExitCode.WRONG_USE, "in the query, " + e.getMessage(), e);
     }
   }
 }

@@ -188,7 +188,7 @@ final class Tenure implements AutoCloseable {
   private synchronized void revoked(LeaseRevokedException e) {
     if (!closed) {
       closed = true;
-      LOG.warn("{}: ended: {}", what, e.getMessage());
+      LOG.info("{}: ended: {}", what, e.getMessage());
     }
   }
 
