@@ -14,6 +14,7 @@ import picocli.CommandLine.Command;
       CallCommand.class,
       GetCommand.class,
       SetCommand.class,
+      StartCommand.class,
       StopCommand.class,
       KillCommand.class,
       AddCommand.class,

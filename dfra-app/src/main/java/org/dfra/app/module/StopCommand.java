@@ -16,7 +16,11 @@ import picocli.CommandLine.Mixin;
 @Command(
     name = "stop",
     description = "Ends a module in an orderly way, until it is called again.",
-    footer = {"", "Its device is closed and it leaves the registrars; the next call starts it."})
+    footer = {
+      "",
+      "Its device is closed and it leaves the registrars. Whoever has its proxy starts",
+      "it with the next call; so does ./dfra module start on its host."
+    })
 final class StopCommand implements Callable<Integer> {
 
   @Mixin
@@ -36,7 +40,7 @@ final class StopCommand implements Callable<Integer> {
           .answer()
           .sentence(
               Map.of("module", listing.path(), "stopped", true),
-              listing.path() + " is stopped; the next call starts it.");
+              listing.path() + " is stopped; a call of its proxy or module start starts it.");
       return ExitCode.WELL;
     }
   }

@@ -197,6 +197,20 @@ public final class RobotBootstrap {
   }
 
   /**
+   * Starts a module that was stopped or has crashed; nothing happens where it runs.
+   *
+   * @param module name of the module
+   * @throws ConfigurationException if the robot has no module of that name
+   * @throws ActivationException if it cannot be activated
+   */
+  public void start(String module) throws ActivationException, IOException {
+    BootstrapLoader.Registered known = known(loader(), module, "start");
+    activate(
+        new Service(robot.name() + "/" + module, known.group(), known.id()),
+        known.activation().module().place());
+  }
+
+  /**
    * Replaces a module of the running robot by what the new description says, such as a newer
    * driver. It keeps its identity, so whoever has its proxy goes on with the new one.
    *
