@@ -47,9 +47,7 @@ class TalkVerbsIT {
             M12Settings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200), Instant::now);
     receiver.start();
     processes = new MarkedProcesses(folder);
-    beside =
-        new MarkedProcesses(
-            Files.createDirectory(folder.resolve("beside")), "-Ddfra.host=127.0.0.1");
+    beside = new MarkedProcesses(Files.createDirectory(folder.resolve("beside")));
     Path xml = folder.resolve("robot.xml");
     Files.writeString(
         xml,

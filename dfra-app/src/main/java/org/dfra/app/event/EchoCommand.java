@@ -1,5 +1,6 @@
 package org.dfra.app.event;
 
+import java.time.Duration;
 import java.util.EnumSet;
 import java.util.concurrent.Callable;
 import org.dfra.app.event.Listening.Ear;
@@ -52,11 +53,13 @@ final class EchoCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
+    long count = listening.count();
+    Duration time = listening.time();
     DeliveryPolicy policy = listening.policy(EnumSet.allOf(Kind.class), depth, rate);
     Lines lines = new Lines();
     try (Team team = options.open();
-        Listening open = new Listening(module.in(team), lines, listening.count())) {
-      long lost = open.run(policy, listening.time());
+        Listening open = new Listening(module.in(team), lines, count)) {
+      long lost = open.run(policy, time);
       options
           .answer()
           .remark(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");

@@ -20,7 +20,8 @@ final class ListeningOptions {
 
   @Option(
       names = "--kind",
-      paramLabel = "KIND",
+      paramLabel = "KIND[,...]",
+      hideParamSyntax = true,
       split = ",",
       description = "Only these kinds of events: ${COMPLETION-CANDIDATES}.")
   private Kind @Nullable [] kinds;

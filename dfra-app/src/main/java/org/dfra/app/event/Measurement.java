@@ -1,5 +1,6 @@
 package org.dfra.app.event;
 
+import java.time.Duration;
 import java.util.EnumSet;
 import java.util.concurrent.Callable;
 import org.dfra.app.event.Listening.Ear;
@@ -58,13 +59,15 @@ abstract class Measurement implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "--window=" + window + " is not a number from 2 to " + WIDEST);
     }
+    long count = listening.count();
+    Duration time = listening.time();
     DeliveryPolicy policy =
         listening.policy(
             EnumSet.of(Kind.READING), DeliveryPolicy.DEEPEST, Double.POSITIVE_INFINITY);
     Meter meter = new Meter();
     try (Team team = options.open();
-        Listening open = new Listening(module.in(team), meter, listening.count())) {
-      meter.tell(open.run(policy, listening.time()));
+        Listening open = new Listening(module.in(team), meter, count)) {
+      meter.tell(open.run(policy, time));
     }
     return ExitCode.WELL;
   }

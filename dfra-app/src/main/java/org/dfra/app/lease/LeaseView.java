@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
  *
  * @param module the module's path, {@code robot/name}
  * @param local whether its holder lives in the module's own virtual machine
- * @param remaining in JSON, in seconds
  */
 record LeaseView(
     String module,

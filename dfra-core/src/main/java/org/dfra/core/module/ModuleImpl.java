@@ -341,17 +341,11 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
         });
   }
 
-  /** A listener's lease was ended for it. Where the module itself ends, it hears of that too. */
+  /** A listener's lease was ended for it. Of the module's own end it still hears. */
   private void revoked(EventHub.Entry entry) {
-    lock.lock();
-    try {
-      if (closed) {
-        return;
-      }
-    } finally {
-      lock.unlock();
+    if (readiness() != Readiness.STOPPED) {
+      events.remove(entry);
     }
-    events.remove(entry);
   }
 
   /** Who listens to readings is a client; who listens to anything else only watches. */
