@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.IntConsumer;
-import org.dfra.core.time.Scheduler;
-import org.dfra.core.time.Scheduler.Task;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.Task;
 import org.jspecify.annotations.Nullable;
 
 /**

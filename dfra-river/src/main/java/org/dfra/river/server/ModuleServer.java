@@ -29,7 +29,6 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -48,6 +47,7 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
