@@ -130,9 +130,9 @@ public abstract class ModuleServer<M extends Module>
               configuration);
       undo.push(presence);
       this.administration =
-          new ModuleAdministration(presence, activation.host(), id, exporter, this);
+          new ModuleAdministration(presence, activation.host(), id, exporter, this::close);
       undo.push(administration);
-    } catch (Exception e) {
+    } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
       ConfigurationException fault = placed(description, e);
       undoAll(fault);
       throw fault;
@@ -301,7 +301,7 @@ public abstract class ModuleServer<M extends Module>
       while (!undo.isEmpty()) {
         try {
           undo.pop().close();
-        } catch (Exception e) {
+        } catch (Exception e) { // as AutoCloseable declares it; the rest must be undone
           reason.addSuppressed(e);
         }
       }
