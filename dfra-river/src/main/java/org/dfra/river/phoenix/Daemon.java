@@ -9,6 +9,7 @@ import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.ActivationSystem;
 import java.rmi.activation.Activator;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.activation.UnknownObjectException;
@@ -132,6 +133,45 @@ final class Daemon {
               found.process().destroy(true);
               found.process().awaitDeath(configuration.groupTimeout());
             });
+  }
+
+  /**
+   * Gives the groups that know phoenix at a former address an identity that names this one. Called
+   * before anybody can ask for a group.
+   *
+   * <p>A group whose process lives keeps its identity: the process knows no other, and works on.
+   */
+  void readdress(ActivationSystem system) {
+    synchronized (groups) {
+      for (Group group : List.copyOf(groups.values())) {
+        if (system.equals(group.id.getSystem())) {
+          continue;
+        }
+        if (group.process().isPresent()) {
+          LOG.warn(
+              "Group {} works on, but knows phoenix at a former address only, and cannot be"
+                  + " started again after its end; take the robot down and bring it up again.",
+              group.name);
+          continue;
+        }
+        try {
+          move(group, new ActivationGroupID(system));
+        } catch (ActivationException e) {
+          LOG.error("Group {} cannot be started at this address: {}", group.name, e.getMessage());
+        }
+      }
+    }
+  }
+
+  private void move(Group old, ActivationGroupID id) throws ActivationException {
+    journal.commit(new Change.GroupMoved(old.id, id));
+    Group moved = new Group(this, id, old.name, old.incarnation());
+    groups.remove(old.id);
+    groups.put(id, moved);
+    journal
+        .<Map<UID, ActivationDesc>>read(r -> r.objectsOf(id))
+        .forEach((uid, desc) -> objects.put(uid, new ActivatableObject(uid, moved, desc)));
+    LOG.info("Group {} is to be told of phoenix's new address.", moved.name);
   }
 
   /** Tells the daemon the activator that its IDs carry. */
