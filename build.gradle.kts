@@ -76,7 +76,7 @@ tasks.register<JavaExec>("demo") {
     runsDfra("Runs the newest demonstration, or the one named by -Pdemo=<name>.", *listOfNotNull("demo", name).toTypedArray())
 }
 
-tasks.register<JavaExec>("robot") {
+tasks.register<JavaExec>("up") {
     val robot = providers.gradleProperty("robot").getOrElse("config/robots/atrv1.xml")
-    runsDfra("Launches the service groups of the robot described by -Probot=<xml>.", "robot", robot)
+    runsDfra("Brings up the robot described by -Probot=<xml>.", "up", robot)
 }

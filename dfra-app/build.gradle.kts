@@ -7,6 +7,9 @@ dependencies {
     api(rootProject.libs.picocli)
     runtimeOnly(rootProject.libs.jsk.resources)
     runtimeOnly(rootProject.libs.reggie)
+    implementation(rootProject.libs.jackson.databind)
+    implementation(rootProject.libs.jackson.datatype.jsr310)
+    implementation(rootProject.libs.jackson.datatype.jdk8)
     implementation(rootProject.libs.logback.classic)
 }
 

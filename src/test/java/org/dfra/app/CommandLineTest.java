@@ -34,19 +34,46 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, help, robot, test",
-        "--frobnicate | unknown option: '--frobnicate'; see: ./dfra help",
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, event, help,"
+            + " lease, log, module, persona, status, test, up",
+        "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
-            + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra help demo",
-        "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra help demo",
-        "robot --port=abc"
-            + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra help robot",
-        "robot --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra help robot",
-        "robot --down --port=99999"
-            + " | --port=99999 is not a port from 1 to 65535; see: ./dfra help robot",
-        "robot --registry-port=-2"
-            + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra help robot",
-        "robot a.xml b.xml | unmatched argument at index 2: 'b.xml'; see: ./dfra help robot",
+            + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra demo --help",
+        "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
+        "up --port=abc"
+            + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra up --help",
+        "up --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra up --help",
+        "down --port=99999"
+            + " | --port=99999 is not a port from 1 to 65535; see: ./dfra down --help",
+        "module | module needs a verb; there is add, call, diagnose, get, info, kill, list, recover,"
+            + " remove, replace, set, start, stop",
+        "module lst"
+            + " | there is no verb \"module lst\"; there is add, call, diagnose, get, info, kill,"
+            + " list, recover, remove, replace, set, start, stop",
+        "module list --frobnicate"
+            + " | unknown option: '--frobnicate'; see: ./dfra module list --help",
+        "module list --wait=-1"
+            + " | --wait=-1.0 is not a number of seconds from 0 to 3600; see: ./dfra module list"
+            + " --help",
+        "persona | persona needs a verb; there is find, list, show",
+        "persona find | missing required parameter: 'QUERY'; see: ./dfra persona find --help",
+        "event echo gps --kind=loud"
+            + " | invalid value for option '--kind' (KIND[,...]): expected one of [READINESS, READING,"
+            + " PARAMETER, INCIDENT] (case-insensitive) but was 'loud'; see: ./dfra event echo --help",
+        "event echo gps --depth=0"
+            + " | depth 0 is outside 1 to 1024; see: ./dfra event echo --help",
+        "event echo gps --rate=0 | rate 0.0 Hz is not above 0; see: ./dfra event echo --help",
+        "event echo gps --count=0" + " | --count=0 is not 1 or more; see: ./dfra event echo --help",
+        "event hz gps --for=0"
+            + " | --for=0.0 is not a number of seconds above 0; see: ./dfra event hz --help",
+        "event bw gps --window=1"
+            + " | --window=1 is not a number from 2 to 100000; see: ./dfra event bw --help",
+        "log level gps loud"
+            + " | invalid value for positional parameter at index 1 (LEVEL): expected one of [TRACE,"
+            + " DEBUG, INFO, WARN, ERROR] (case-insensitive) but was 'loud'; see: ./dfra log level"
+            + " --help",
+        "up --registry-port=-2"
+            + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra up --help",
       })
   void whatIsAskedWronglyIsToldInOneSentence(String asked, String sentence) {
     assertThat(run(asked.split(" "))).isEqualTo(2);
@@ -59,11 +86,27 @@ class CommandLineTest {
     assertThat(run()).isEqualTo(2);
     assertThat(err.toString())
         .startsWith("Usage: dfra [-hV] VERB")
-        .contains("demo", "robot", "test");
+        .contains("demo", "up", "module", "test");
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"--help", "help", "demo --help", "help demo", "robot --help", "robot -h"})
+  @ValueSource(
+      strings = {
+        "--help",
+        "help",
+        "demo --help",
+        "help demo",
+        "up --help",
+        "module -h",
+        "module call --help",
+        "persona find --help",
+        "event echo --help",
+        "event hz --help",
+        "event bw --help",
+        "lease list --help",
+        "lease revoke --help",
+        "log level --help"
+      })
   void helpFitsATerminalAndNamesWhatThereIs(String asked) {
     assertThat(run(asked.split(" "))).isZero();
     assertThat(out.toString()).startsWith("Usage: dfra ");
@@ -76,13 +119,13 @@ class CommandLineTest {
     run("--help");
     assertThat(out.toString().lines().map(String::strip))
         .anyMatch(line -> line.startsWith("demo "))
-        .anyMatch(line -> line.startsWith("robot "))
+        .anyMatch(line -> line.startsWith("module "))
         .anyMatch(line -> line.startsWith("help "))
         .anyMatch(line -> line.startsWith("test "));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"--version", "-V", "demo --version", "robot -V"})
+  @ValueSource(strings = {"--version", "-V", "demo --version", "module list -V"})
   void versionIsOneLine(String asked) {
     assertThat(run(asked.split(" "))).isZero();
     assertThat(out.toString().strip()).matches("dfra \\d+\\.\\d+\\.\\d+");
@@ -91,7 +134,7 @@ class CommandLineTest {
   @Test
   void aRobotThatIsNotThereIsToldInOneSentence() {
     Path missing = folder.resolve("nobody.xml");
-    assertThat(run("robot", missing.toString(), "--state=" + folder)).isEqualTo(1);
+    assertThat(run("up", missing.toString(), "--state=" + folder)).isEqualTo(1);
     assertThat(err.toString())
         .isEqualTo(
             "dfra: "
@@ -104,7 +147,7 @@ class CommandLineTest {
   void aRobotThatCannotBeReadIsToldWithTheLine() throws Exception {
     Path broken = folder.resolve("broken.xml");
     Files.writeString(broken, "<robot xmlns=\"urn:dfra:robot:1\" name=\"r\">\n<gruop/>\n</robot>");
-    assertThat(run("robot", broken.toString(), "--state=" + folder)).isEqualTo(1);
+    assertThat(run("up", broken.toString(), "--state=" + folder)).isEqualTo(1);
     assertThat(err.toString()).startsWith("dfra: " + broken + ":2: ").contains("group");
     assertThat(folder.resolve("phoenix.log")).as("nothing was started").doesNotExist();
   }

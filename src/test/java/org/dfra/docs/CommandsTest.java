@@ -2,12 +2,13 @@ package org.dfra.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,7 +17,6 @@ import org.dfra.app.Main;
 import org.dfra.docs.Documents.Document;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
-import picocli.CommandLine.Model.CommandSpec;
 
 /** What the documents say to type is understood. */
 class CommandsTest {
@@ -25,6 +25,10 @@ class CommandsTest {
 
   private static final Pattern TYPED =
       Pattern.compile("(?:^|[\\s(;&\"])\\./dfra\\b(?!/)([^#;&|]*)");
+
+  private static final String REFERENCE = "docs/reference/command-line.md";
+  private static final String BEGIN = "<!-- From here on the commands tell of themselves. -->";
+  private static final String END = "<!-- So far the commands. -->";
 
   /** The options that the script itself knows of {@code test}, in its {@code case}. */
   private static Set<String> testOptions() {
@@ -65,11 +69,14 @@ class CommandsTest {
   void tellsAWrongCommandFromARightOne() {
     assertThat(fault("")).isNull();
     assertThat(fault("demo foundation --record benchmarks/foundation.csv")).isNull();
-    assertThat(fault("robot --port=1199 config/robots/atrv1.xml")).isNull();
+    assertThat(fault("up --port=1199 config/robots/atrv1.xml")).isNull();
+    assertThat(fault("module list --json")).isNull();
+    assertThat(fault("module fly")).isEqualTo("there is no verb module fly");
+    assertThat(fault("module list --fast")).isEqualTo("module list has no option --fast");
     assertThat(fault("test --full --java /usr/lib/jvm/java-21")).isNull();
     assertThat(fault("fly")).isEqualTo("there is no verb fly");
     assertThat(fault("demo nosuch")).isEqualTo("there is no demonstration nosuch");
-    assertThat(fault("robot --up")).isEqualTo("robot has no option --up");
+    assertThat(fault("up --down")).isEqualTo("up has no option --down");
     assertThat(fault("test --quick")).isEqualTo("test has no option --quick");
   }
 
@@ -100,7 +107,18 @@ class CommandsTest {
     if (verb.equals("demo")) {
       return wrongDemo(line, words);
     }
-    return unknownOption(verb, words, line.getCommandSpec().optionsMap().keySet());
+    if (!line.getSubcommands().isEmpty() && words.size() > 1) {
+      String second = words.get(1);
+      CommandLine nested = line.getSubcommands().get(second);
+      if (nested == null && !second.startsWith("-") && !second.equals("VERB")) {
+        return "there is no verb " + verb + " " + second;
+      }
+      line = nested == null ? line : nested;
+    }
+    return unknownOption(
+        line.getCommandSpec().qualifiedName(" ").replaceFirst("^dfra ", ""),
+        words,
+        line.getCommandSpec().optionsMap().keySet());
   }
 
   private static String wrongDemo(CommandLine line, List<String> words) {
@@ -124,52 +142,35 @@ class CommandsTest {
   }
 
   @Test
-  void theReferenceListsEveryVerbAndOptionAndNoOther() {
-    Map<String, Set<String>> known = new TreeMap<>();
-    DFRA.getSubcommands().forEach((verb, line) -> known.put(verb, options(line.getCommandSpec())));
-    known.put("test", withoutHelp(testOptions()));
-
-    Map<String, Set<String>> documented = new TreeMap<>();
-    String verb = "";
-    for (String line : Documents.of("docs/reference/command-line.md").text().lines().toList()) {
-      Matcher heading = Pattern.compile("## `\\./dfra (\\w+)`").matcher(line);
-      if (heading.matches()) {
-        verb = heading.group(1);
-        documented.put(verb, new TreeSet<>());
-      }
-      Matcher row = Pattern.compile("\\| `(-{1,2}[\\w-]+)[^`]*` \\|.*").matcher(line);
-      if (row.matches() && !verb.isEmpty()) {
-        documented.get(verb).add(row.group(1));
-      }
+  void theReferenceIsWhatTheCommandsTell() throws IOException {
+    String reference = Documents.of(REFERENCE).text();
+    int begin = reference.indexOf(BEGIN) + BEGIN.length();
+    int end = reference.indexOf(END);
+    assertThat(begin).as("place of " + BEGIN).isBetween(BEGIN.length(), end);
+    String right =
+        reference.substring(0, begin)
+            + "\n\n"
+            + CommandReference.of(new CommandLine(Main.class))
+            + "\n"
+            + reference.substring(end);
+    Path draft = Documents.ROOT.resolve("target/command-line.md");
+    if (!reference.equals(right)) {
+      Files.createDirectories(draft.getParent());
+      Files.writeString(draft, right);
     }
-    assertThat(documented).isEqualTo(known);
+    assertThat(reference)
+        .as("%s; the commands have changed: move %s there", REFERENCE, draft)
+        .isEqualTo(right);
   }
 
   @Test
-  void theReferenceNamesTheDefaults() {
-    CommandSpec robot = DFRA.getSubcommands().get("robot").getCommandSpec();
-    String reference = Documents.of("docs/reference/command-line.md").text();
-    for (String option : List.of("--port", "--registry-port")) {
-      assertThat(reference)
-          .containsPattern(
-              "\\| `"
-                  + option
-                  + " PORT` \\| `"
-                  + robot.findOption(option).defaultValueString()
-                  + "` \\|");
+  void theReferenceNamesEveryOptionOfTest() {
+    String reference = Documents.of(REFERENCE).text();
+    assertThat(testOptions()).contains("--full", "--java");
+    for (String option : testOptions()) {
+      if (!Set.of("-h", "--help").contains(option)) {
+        assertThat(reference).containsPattern("\\| `" + option + "[^`]*` \\|");
+      }
     }
-  }
-
-  private static Set<String> options(CommandSpec spec) {
-    return withoutHelp(
-        spec.options().stream()
-            .map(option -> option.longestName())
-            .collect(Collectors.toCollection(TreeSet::new)));
-  }
-
-  private static Set<String> withoutHelp(Set<String> options) {
-    Set<String> rest = new TreeSet<>(options);
-    rest.removeAll(Set.of("-h", "--help", "-V", "--version"));
-    return rest;
   }
 }

@@ -3,6 +3,14 @@ package org.dfra.app;
 import java.io.IOException;
 import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.demo.DemoCommand;
+import org.dfra.app.event.EventCommand;
+import org.dfra.app.lease.LeaseCommand;
+import org.dfra.app.log.LogCommand;
+import org.dfra.app.module.ModuleCommand;
+import org.dfra.app.persona.PersonaCommand;
+import org.dfra.app.robot.DownCommand;
+import org.dfra.app.robot.StatusCommand;
+import org.dfra.app.robot.UpCommand;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -20,20 +28,28 @@ import picocli.CommandLine.ScopeType;
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
     subcommands = {
-      BenchCommand.class,
+      UpCommand.class,
+      DownCommand.class,
+      StatusCommand.class,
+      ModuleCommand.class,
+      PersonaCommand.class,
+      EventCommand.class,
+      LeaseCommand.class,
+      LogCommand.class,
       DemoCommand.class,
-      RobotCommand.class,
+      BenchCommand.class,
       CommandLine.HelpCommand.class
-    },
-    footer = {
-      "",
-      "Also, by the script itself:",
-      "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
     })
 public final class Main {
 
   /** Environment variable or system property with the level of the log. */
   private static final String LOG_LEVEL = "DFRA_LOG";
+
+  private static final String[] OF_SCRIPT = {
+    "",
+    "Also, by the script itself:",
+    "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
+  };
 
   private Main() {}
 
@@ -57,6 +73,8 @@ public final class Main {
   /** The command line, for those who ask it about itself. */
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
+    line.getCommandSpec().usageMessage().footer(OF_SCRIPT); // not for the verbs, which inherit
+    line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());
     return line;

@@ -1,8 +1,13 @@
 package org.dfra.app;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.NotReadyException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.ParseResult;
@@ -13,12 +18,28 @@ final class PlainFailure implements IExecutionExceptionHandler {
   @Override
   public int handleExecutionException(Exception e, CommandLine line, ParseResult parsed)
       throws Exception {
-    if (e instanceof ConfigurationException
-        || e instanceof IOException
-        || e instanceof ActivationException) {
-      line.getErr().println("dfra: " + e.getMessage());
-      return line.getCommandSpec().exitCodeOnExecutionException();
+    int code = code(e);
+    if (code == ExitCode.WELL) {
+      throw e;
     }
-    throw e;
+    line.getErr().println("dfra: " + e.getMessage());
+    return code;
+  }
+
+  /** The status to end with; {@link ExitCode#WELL} for what is nobody's to mend but ours. */
+  private static int code(Exception e) {
+    if (e instanceof CommandFailure failure) {
+      return failure.exitCode();
+    } else if (e instanceof RemoteException) {
+      return ExitCode.NO_ANSWER;
+    } else if (e instanceof ConfigurationException
+        || e instanceof IOException
+        || e instanceof ActivationException
+        || e instanceof NotReadyException
+        || e instanceof LeaseRefusedException
+        || e instanceof IllegalArgumentException) { // what a module says of a wrong parameter
+      return ExitCode.FAILED;
+    }
+    return ExitCode.WELL;
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.app;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -14,8 +15,8 @@ final class WrongUse implements IParameterExceptionHandler {
   @Override
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine line = e.getCommandLine();
-    boolean isVerbMissing = line.getParent() == null && args.length == 0;
-    if (isVerbMissing) {
+    boolean isNothingAsked = line.getParent() == null && args.length == 0;
+    if (isNothingAsked) {
       line.usage(line.getErr());
     } else {
       line.getErr().println("dfra: " + sentence(e, line));
@@ -24,25 +25,27 @@ final class WrongUse implements IParameterExceptionHandler {
   }
 
   private static String sentence(ParameterException e, CommandLine line) {
-    boolean isAboutVerbs = line.getParent() == null;
-    if (isAboutVerbs
+    String asked = line.getCommandSpec().qualifiedName(" ").replaceFirst("^dfra ?", "");
+    if (!line.getSubcommands().isEmpty()
         && e instanceof UnmatchedArgumentException unmatched
         && !unmatched.isUnknownOption()) {
-      return "there is no verb \""
-          + unmatched.getUnmatched().get(0)
-          + "\"; there is "
-          + String.join(", ", verbs(line));
+      String wrong = (asked + " " + unmatched.getUnmatched().get(0)).strip();
+      return "there is no verb \"" + wrong + "\"; there is " + String.join(", ", verbs(line));
+    }
+    boolean isVerbMissing =
+        !line.getSubcommands().isEmpty() && !(line.getCommand() instanceof Callable);
+    if (isVerbMissing && e.getClass() == ParameterException.class) {
+      return asked + " needs a verb; there is " + String.join(", ", verbs(line));
     }
     String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
     return first.substring(0, 1).toLowerCase(Locale.ROOT)
         + first.substring(1)
         + "; see: ./dfra "
-        + (isAboutVerbs ? "help" : "help " + line.getCommandName());
+        + (asked + " --help").strip();
   }
 
   private static List<String> verbs(CommandLine line) {
-    return Stream.concat(line.getSubcommands().keySet().stream(), Stream.of("test"))
-        .sorted()
-        .toList();
+    Stream<String> ofScript = line.getParent() == null ? Stream.of("test") : Stream.of();
+    return Stream.concat(line.getSubcommands().keySet().stream(), ofScript).sorted().toList();
   }
 }

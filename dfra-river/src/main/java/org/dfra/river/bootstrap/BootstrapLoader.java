@@ -35,7 +35,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class BootstrapLoader {
 
-  private static final String REGGIE = "com.sun.jini.reggie.PersistentRegistrarImpl";
+  static final String REGGIE = "com.sun.jini.reggie.PersistentRegistrarImpl";
 
   private final PhoenixAdmin admin;
   private final ActivationSystem system;
@@ -182,8 +182,7 @@ final class BootstrapLoader {
     return admin.getActivatableObjects(group);
   }
 
-  private static Optional<ModuleActivation> activationData(ActivationDesc desc)
-      throws ActivationException {
+  static Optional<ModuleActivation> activationData(ActivationDesc desc) throws ActivationException {
     try {
       return desc.getData() != null && desc.getData().get() instanceof ModuleActivation data
           ? Optional.of(data)

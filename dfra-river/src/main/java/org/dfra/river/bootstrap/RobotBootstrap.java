@@ -86,6 +86,7 @@ public final class RobotBootstrap {
    *     before stays up
    */
   public List<Service> up() throws ActivationException, IOException {
+    new KnownRobots(phoenix.state()).remember(robot);
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
@@ -193,6 +194,20 @@ public final class RobotBootstrap {
         loader.module(
             loader.group(home), group, module, host, locators(), multicastGroups(), state(module)),
         module.place());
+  }
+
+  /**
+   * Starts a module that was stopped or has crashed; nothing happens where it runs.
+   *
+   * @param module name of the module
+   * @throws ConfigurationException if the robot has no module of that name
+   * @throws ActivationException if it cannot be activated
+   */
+  public void start(String module) throws ActivationException, IOException {
+    BootstrapLoader.Registered known = known(loader(), module, "start");
+    activate(
+        new Service(robot.name() + "/" + module, known.group(), known.id()),
+        known.activation().module().place());
   }
 
   /**

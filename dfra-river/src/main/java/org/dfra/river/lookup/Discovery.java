@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
@@ -99,6 +100,15 @@ public final class Discovery
             }
           }
         });
+  }
+
+  /** What was found at each locator. */
+  synchronized Map<String, Optional<ServiceID>> atLocators() {
+    Map<String, Optional<ServiceID>> all = new LinkedHashMap<>();
+    for (LocatorSearch search : searches) {
+      all.put(search.locator().toString(), Optional.ofNullable(search.found()));
+    }
+    return all;
   }
 
   private synchronized boolean isAtLocator(ServiceID id) {

@@ -5,7 +5,9 @@ import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.net.UnknownHostException;
+import java.time.Duration;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +30,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.proxy.LocalModules;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The directory of what all lookup services hold that can be discovered.
@@ -104,6 +107,48 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
+  /**
+   * Waits until everything at hand has been looked at once: at every locator a lookup service was
+   * found and what it holds was read. Multicast never says that everybody has answered, so with
+   * groups this always takes as long as it may.
+   *
+   * @return the locators at which no lookup service was read meanwhile
+   */
+  public List<String> awaitFirstLook(Duration patience) throws InterruptedException {
+    long end = System.nanoTime() + patience.toNanos();
+    synchronized (watches) {
+      List<String> missing = unread();
+      long left = end - System.nanoTime();
+      while (left > 0 && !closed && !(missing.isEmpty() && settings.groups().isEmpty())) {
+        TimeUnit.NANOSECONDS.timedWait(watches, left);
+        missing = unread();
+        left = end - System.nanoTime();
+      }
+      return missing;
+    }
+  }
+
+  /** The locators at which no lookup service was read. Holds the watches' lock. */
+  private List<String> unread() {
+    List<String> missing = new ArrayList<>();
+    discovery
+        .atLocators()
+        .forEach(
+            (locator, found) -> {
+              @Nullable RegistrarWatch watch = found.map(watches::get).orElse(null);
+              if (watch == null || !watch.isRead()) {
+                missing.add(locator);
+              }
+            });
+    return missing;
+  }
+
+  private void read() {
+    synchronized (watches) {
+      watches.notifyAll();
+    }
+  }
+
   private final class Discovered implements DiscoveryListener {
     @Override
     public void discovered(DiscoveryEvent event) {
@@ -129,6 +174,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
                 clock,
                 new BasicJeriExporter(
                     Endpoints.tcp(settings.host(), 0), new DeadlineILFactory(), false, false),
+                this::read,
                 this::lost);
         watches.put(registrar.getServiceID(), watch);
         watch.start();
@@ -185,6 +231,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
       closed = true;
       ending = List.copyOf(watches.values());
       watches.clear();
+      watches.notifyAll();
     }
     watchdog.shutdownNow();
     discovery.terminate();

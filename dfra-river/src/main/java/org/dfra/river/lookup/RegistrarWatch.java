@@ -56,6 +56,7 @@ final class RegistrarWatch implements AutoCloseable {
   private final DirectorySettings settings;
   private final InstantSource clock;
   private final Exporter exporter;
+  private final Runnable reader;
   private final Consumer<RegistrarWatch> end;
   private final BlockingQueue<ServiceEvent> events = new LinkedBlockingQueue<>(LONGEST_QUEUE);
   private final Thread thread;
@@ -64,6 +65,7 @@ final class RegistrarWatch implements AutoCloseable {
   private final Listener listener = new Listener();
 
   private volatile boolean closed;
+  private volatile boolean read; // everything, once at least
   private volatile boolean incomplete = true; // something was missed
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of a call under way; 0 for none
@@ -74,6 +76,7 @@ final class RegistrarWatch implements AutoCloseable {
 
   /**
    * @param exporter exports the listener while the watch goes on
+   * @param reader is told when everything was read, on the watch's thread
    * @param end is told when the lookup service has failed and the watch is over
    */
   RegistrarWatch(
@@ -82,6 +85,7 @@ final class RegistrarWatch implements AutoCloseable {
       DirectorySettings settings,
       InstantSource clock,
       Exporter exporter,
+      Runnable reader,
       Consumer<RegistrarWatch> end) {
     this.registrar = registrar;
     this.id = registrar.getServiceID();
@@ -89,6 +93,7 @@ final class RegistrarWatch implements AutoCloseable {
     this.settings = settings;
     this.clock = clock;
     this.exporter = exporter;
+    this.reader = reader;
     this.end = end;
     this.vouched = clock.instant();
     this.thread = new Thread(this::run, "dfra-registrar-" + id);
@@ -102,6 +107,11 @@ final class RegistrarWatch implements AutoCloseable {
 
   ServiceRegistrar registrar() {
     return registrar;
+  }
+
+  /** Whether everything that it holds was read once. */
+  boolean isRead() {
+    return read;
   }
 
   /** Notices a lookup service that does not answer. */
@@ -195,6 +205,8 @@ final class RegistrarWatch implements AutoCloseable {
     silent = false;
     sightings.all(id, items.values());
     complete = System.nanoTime();
+    read = true;
+    reader.run();
   }
 
   private void lookup(ServiceTemplate template, Map<ServiceID, ServiceItem> items)

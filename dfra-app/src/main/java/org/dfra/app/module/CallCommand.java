@@ -1,0 +1,75 @@
+package org.dfra.app.module;
+
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.module.Idempotent;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module call}. */
+@Command(
+    name = "call",
+    description = "Calls a module's method, or lists its methods.",
+    footer = {
+      "",
+      "An argument is written as a text, a number, the name of a constant, an instant",
+      "in ISO 8601, a duration in seconds, or else in JSON."
+    })
+final class CallCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "METHOD",
+      description = "Which method; without it, all are listed.")
+  private @Nullable String method;
+
+  @Parameters(index = "2..*", paramLabel = "ARGUMENT", description = "What it is called with.")
+  private List<String> arguments = new ArrayList<>();
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      Calls calls = new Calls(module.in(team).module());
+      if (method == null) {
+        list(calls);
+        return ExitCode.WELL;
+      }
+      Object answer = calls.call(method, arguments);
+      if (answer != null) {
+        options.answer().outline(answer);
+      }
+      return ExitCode.WELL;
+    }
+  }
+
+  private void list(Calls calls) {
+    Table table = new Table("METHOD", "ANSWER", "REPEATED");
+    List<Map<String, Object>> values = new ArrayList<>();
+    for (Method each : calls.methods()) {
+      boolean isRepeated = each.isAnnotationPresent(Idempotent.class);
+      String type = Calls.name(each.getGenericReturnType());
+      table.row(Calls.signature(each), type.replace("void", "-"), isRepeated ? "yes" : "no");
+      values.add(Map.of("method", Calls.signature(each), "answer", type, "idempotent", isRepeated));
+    }
+    options.answer().table(values, table, "");
+  }
+}

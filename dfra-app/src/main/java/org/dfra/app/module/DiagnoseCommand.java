@@ -1,0 +1,65 @@
+package org.dfra.app.module;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.module.Diagnosable;
+import org.dfra.module.Diagnosis;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module diagnose}. */
+@Command(
+    name = "diagnose",
+    description = "Runs a module's hardware tests; ends with 1 where one fails.")
+final class DiagnoseCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "TEST",
+      description = "Which one; without it, all.")
+  private @Nullable String test;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      Diagnosable asked = Diagnosables.of(module.in(team));
+      List<String> tests = asked.tests();
+      List<Diagnosis> results = new ArrayList<>();
+      for (String each : test == null ? tests : List.of(known(tests, test))) {
+        results.add(asked.test(each));
+      }
+      Table table = new Table("TEST", "RESULT", "TOOK", "FINDING");
+      results.forEach(
+          each ->
+              table.row(
+                  each.name(),
+                  each.passed() ? "passed" : "FAILED",
+                  String.format(Locale.ROOT, "%.1f s", each.took().toNanos() / 1e9),
+                  each.finding()));
+      options.answer().table(results, table, module.name() + " has no tests.");
+      return results.stream().allMatch(Diagnosis::passed) ? ExitCode.WELL : ExitCode.FAILED;
+    }
+  }
+
+  private String known(List<String> tests, String wanted) {
+    return Diagnosables.known(module.name(), "test", tests, wanted);
+  }
+}

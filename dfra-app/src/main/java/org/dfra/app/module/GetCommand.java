@@ -1,0 +1,68 @@
+package org.dfra.app.module;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.core.config.NearestName;
+import org.dfra.module.Parameter;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module get}. */
+@Command(name = "get", description = "Reads a module's parameters, or one of them.")
+final class GetCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "PARAMETER",
+      description = "Which one; without it, all.")
+  private @Nullable String parameter;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      List<Parameter> all = module.in(team).module().parameters();
+      String wanted = parameter;
+      if (wanted == null) {
+        Table table = new Table("PARAMETER", "VALUE", "SETTABLE", "MEANING");
+        all.forEach(
+            each ->
+                table.row(
+                    each.name(), each.text(), each.settable() ? "yes" : "no", each.meaning()));
+        options.answer().table(all, table, module.name() + " has no parameters.");
+      } else {
+        Parameter found =
+            all.stream()
+                .filter(each -> each.name().equals(wanted))
+                .findFirst()
+                .orElseThrow(() -> new CommandFailure(ExitCode.NOT_FOUND, unknown(all, wanted)));
+        options.answer().sentence(found, found.text());
+      }
+      return ExitCode.WELL;
+    }
+  }
+
+  private String unknown(List<Parameter> all, String wanted) {
+    List<String> names = all.stream().map(Parameter::name).toList();
+    return module.name()
+        + " has no parameter "
+        + wanted
+        + NearestName.hint(wanted, names, "; it has " + String.join(", ", names));
+  }
+}

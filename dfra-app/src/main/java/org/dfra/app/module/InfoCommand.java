@@ -1,0 +1,65 @@
+package org.dfra.app.module;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
+import org.dfra.module.Diagnosable;
+import org.dfra.module.Identification;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code ./dfra module info}: what a module says of itself, and what its entries say. */
+@Command(name = "info", description = "Tells all that a module says of itself.")
+final class InfoCommand implements Callable<Integer> {
+
+  private static final String SUFFIX = "Attributes";
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      ModuleListing<Module> listing = module.in(team);
+      Module asked = listing.module();
+      Identification identification = asked.identification();
+      Map<String, Object> info = new LinkedHashMap<>();
+      info.put("module", listing.path());
+      info.put("description", identification.description());
+      info.put("author", identification.author());
+      info.put("version", identification.version());
+      info.put("kinds", Kinds.names(asked));
+      info.put("state", asked.readiness());
+      info.put("stale", listing.stale());
+      info.put("confirmed", listing.confirmed());
+      info.put("id", listing.id().toString());
+      info.put("logLevel", asked.logLevel());
+      info.put("parameters", asked.parameters());
+      if (asked instanceof Diagnosable diagnosable) {
+        info.put("preconditions", diagnosable.preconditions());
+        info.put("tests", diagnosable.tests());
+        info.put("recoveries", diagnosable.recoveries());
+      }
+      info.put("history", asked.history());
+      Map<String, Object> entries = new LinkedHashMap<>();
+      for (Attributes each : listing.attributes()) {
+        entries.put(each.getClass().getSimpleName().replace(SUFFIX, ""), each);
+      }
+      info.put("entries", entries);
+      options.answer().outline(info);
+      return ExitCode.WELL;
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.dfra.app.module;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import org.dfra.app.team.PhoenixOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module kill}. */
+@Command(
+    name = "kill",
+    description = "Crashes the virtual machine of a module's group, on this host.",
+    footer = {"", "Every module of the group falls with it. Phoenix brings them back."})
+final class KillCommand implements Callable<Integer> {
+
+  @Parameters(index = "0", paramLabel = "ROBOT/MODULE", description = "The module.")
+  private String module = "";
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private PhoenixOptions phoenix;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  @Override
+  public Integer call() throws Exception {
+    ServiceGroup group = LocalGroup.of(phoenix.running(), module);
+    long pid = group.status().pid();
+    Optional<ProcessHandle> process = pid < 0 ? Optional.empty() : ProcessHandle.of(pid);
+    if (process.isEmpty()) {
+      throw new CommandFailure(
+          ExitCode.FAILED,
+          "group " + group.name() + " of " + group.robot() + " has no process; nothing to kill");
+    }
+    process.get().destroyForcibly();
+    process.get().onExit().get(PhoenixOptions.PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    answer.sentence(
+        Map.of("robot", group.robot(), "group", group.name(), "pid", pid),
+        "Killed group "
+            + group.name()
+            + " of "
+            + group.robot()
+            + ": process "
+            + pid
+            + " with "
+            + String.join(", ", group.modules())
+            + ".");
+    return ExitCode.WELL;
+  }
+}

@@ -1,0 +1,45 @@
+package org.dfra.app.module;
+
+import java.io.IOException;
+import java.rmi.activation.ActivationException;
+import java.util.List;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.NearestName;
+import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixProcess;
+
+/** Finds the service group of a module among those of this host. */
+final class LocalGroup {
+
+  private LocalGroup() {}
+
+  /**
+   * The group that the module runs in.
+   *
+   * @param module {@code robot/module}
+   * @throws CommandFailure if this host has no such module
+   */
+  static ServiceGroup of(PhoenixProcess phoenix, String module)
+      throws IOException, ActivationException {
+    List<ServiceGroup> groups = Inventory.of(phoenix);
+    return groups.stream()
+        .filter(group -> paths(group).contains(module))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new CommandFailure(
+                    ExitCode.NOT_FOUND,
+                    "this host has no module "
+                        + module
+                        + NearestName.hint(
+                            module,
+                            groups.stream().flatMap(each -> paths(each).stream()).toList(),
+                            "; ./dfra status shows what it has")));
+  }
+
+  private static List<String> paths(ServiceGroup group) {
+    return group.modules().stream().map(name -> group.robot() + "/" + name).toList();
+  }
+}

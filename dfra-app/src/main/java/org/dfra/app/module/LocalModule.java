@@ -1,0 +1,58 @@
+package org.dfra.app.module;
+
+import java.util.Map;
+import org.dfra.app.team.PhoenixOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** A module that is registered with the phoenix of this host. A picocli mix-in. */
+final class LocalModule {
+
+  @Parameters(index = "0", paramLabel = "ROBOT/MODULE", description = "A module of this host.")
+  private String module = "";
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private PhoenixOptions options;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  /** What is done with the module. */
+  interface Deed {
+    void on(RobotBootstrap robot, String module) throws Exception;
+  }
+
+  /**
+   * Does it and says so.
+   *
+   * @param done what has become of the module, such as {@code removed}
+   */
+  void change(Deed deed, String done) throws Exception {
+    PhoenixProcess phoenix = options.running();
+    ServiceGroup group = LocalGroup.of(phoenix, module);
+    RobotDescription robot =
+        new KnownRobots(options.state())
+            .find(group.robot())
+            .orElseThrow(
+                () ->
+                    new CommandFailure(
+                        ExitCode.FAILED,
+                        "what is known of "
+                            + group.robot()
+                            + " is gone; bring it up once more: ./dfra up ROBOT.XML"));
+    deed.on(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
+    answer.sentence(
+        Map.of("module", module, "group", group.name(), done, true),
+        module + " in group " + group.name() + " is " + done + ".");
+  }
+}

@@ -1,0 +1,26 @@
+package org.dfra.app.module;
+
+import picocli.CommandLine.Command;
+
+/** {@code ./dfra module}: what can be asked of a module, and done to it. */
+@Command(
+    name = "module",
+    description = "Lists the team's modules, asks and changes them.",
+    synopsisSubcommandLabel = "VERB",
+    commandListHeading = "%nVerbs:%n",
+    subcommands = {
+      ListCommand.class,
+      InfoCommand.class,
+      CallCommand.class,
+      GetCommand.class,
+      SetCommand.class,
+      StartCommand.class,
+      StopCommand.class,
+      KillCommand.class,
+      AddCommand.class,
+      ReplaceCommand.class,
+      RemoveCommand.class,
+      DiagnoseCommand.class,
+      RecoverCommand.class
+    })
+public final class ModuleCommand {}

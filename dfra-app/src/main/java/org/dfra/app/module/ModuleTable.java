@@ -1,0 +1,37 @@
+package org.dfra.app.module;
+
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.team.Seen;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.Table;
+import org.dfra.module.Readiness;
+
+/** Modules, a line each. */
+public final class ModuleTable {
+
+  private ModuleTable() {}
+
+  /**
+   * Answers with modules.
+   *
+   * @param nothing what people are told when there are none
+   */
+  public static void show(Answer answer, List<ModuleView> modules, String nothing) {
+    Table table = new Table("MODULE", "KIND", "STATE", "CLIENTS", "HOST", "SEEN");
+    for (ModuleView each : modules) {
+      table.row(
+          each.path(),
+          String.join(", ", each.kinds()),
+          each.state().map(ModuleTable::word).orElse("not known"),
+          Integer.toString(each.clients()),
+          each.host(),
+          Seen.of(each.stale(), each.confirmed()));
+    }
+    answer.table(modules, table, nothing);
+  }
+
+  private static String word(Readiness state) {
+    return state.name().toLowerCase(Locale.ROOT);
+  }
+}

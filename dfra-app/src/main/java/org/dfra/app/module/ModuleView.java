@@ -1,0 +1,62 @@
+package org.dfra.app.module;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.directory.Locality;
+import org.dfra.directory.ModuleListing;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+import org.dfra.persona.ModuleAttributes;
+
+/**
+ * A module as its entries tell of it, without asking it.
+ *
+ * @param robot name of its robot
+ * @param name its name
+ * @param kinds what it is, such as {@code GPSSensor}
+ * @param state how far it has come; absent where its entries do not tell
+ * @param clients how many clients hold a lease on it
+ * @param host address of the computer it runs on
+ * @param locality how near it is
+ * @param stale whether no registrar that answers holds it any more
+ * @param confirmed when a registrar last did
+ * @param id its service ID
+ */
+public record ModuleView(
+    String robot,
+    String name,
+    List<String> kinds,
+    Optional<Readiness> state,
+    int clients,
+    String host,
+    Locality locality,
+    boolean stale,
+    Instant confirmed,
+    String id) {
+
+  public ModuleView {
+    kinds = List.copyOf(kinds);
+  }
+
+  /** What a listing tells. */
+  public static ModuleView of(ModuleListing<? extends Module> listing) {
+    Optional<ModuleAttributes> attributes = listing.attributes(ModuleAttributes.class);
+    return new ModuleView(
+        listing.robot(),
+        listing.name(),
+        Kinds.names(listing.module()),
+        attributes.map(ModuleAttributes::state),
+        attributes.map(ModuleAttributes::clients).orElse(0),
+        attributes.map(ModuleAttributes::host).orElse(""),
+        listing.locality(),
+        listing.stale(),
+        listing.confirmed(),
+        listing.id().toString());
+  }
+
+  /** {@code robot/name}. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

@@ -1,0 +1,61 @@
+package org.dfra.app.module;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.module.Diagnosable;
+import org.dfra.module.Diagnosis;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module recover}. */
+@Command(
+    name = "recover",
+    description = "Runs one of a module's recoveries, or lists them; ends with 1 where it fails.")
+final class RecoverCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "RECOVERY",
+      description = "Which one; without it, all are listed.")
+  private @Nullable String recovery;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      Diagnosable asked = Diagnosables.of(module.in(team));
+      List<String> recoveries = asked.recoveries();
+      if (recovery == null) {
+        Table table = new Table("RECOVERY");
+        recoveries.forEach(table::row);
+        options.answer().table(recoveries, table, module.name() + " has no recoveries.");
+        return ExitCode.WELL;
+      }
+      Diagnosis result =
+          asked.recover(Diagnosables.known(module.name(), "recovery", recoveries, recovery));
+      options
+          .answer()
+          .sentence(
+              result,
+              Map.of(true, "Recovered: ", false, "Not recovered: ").get(result.passed())
+                  + result.finding());
+      return result.passed() ? ExitCode.WELL : ExitCode.FAILED;
+    }
+  }
+}

@@ -1,0 +1,48 @@
+package org.dfra.app.module;
+
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
+import org.dfra.module.Module;
+import org.dfra.module.Parameter;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra module set}. */
+@Command(name = "set", description = "Sets a module's parameter, until the module is started anew.")
+final class SetCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(index = "1", paramLabel = "PARAMETER", description = "Which one.")
+  private String parameter = "";
+
+  @Parameters(index = "2", paramLabel = "VALUE", description = "Its new value.")
+  private String value = "";
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      ModuleListing<Module> listing = module.in(team);
+      listing.module().setParameter(parameter, value);
+      for (Parameter each : listing.module().parameters()) {
+        if (each.name().equals(parameter)) {
+          options
+              .answer()
+              .sentence(each, listing.path() + ": " + parameter + " is " + each.text() + ".");
+        }
+      }
+      return ExitCode.WELL;
+    }
+  }
+}

@@ -1,0 +1,47 @@
+package org.dfra.app.module;
+
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.Administration;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
+import org.dfra.module.Module;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code ./dfra module stop}. */
+@Command(
+    name = "stop",
+    description = "Ends a module in an orderly way, until it is called again.",
+    footer = {
+      "",
+      "Its device is closed and it leaves the registrars. Whoever has its proxy starts",
+      "it with the next call; so does ./dfra module start on its host."
+    })
+final class StopCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      ModuleListing<Module> listing = module.in(team);
+      Administration.of(listing).deactivate();
+      options
+          .answer()
+          .sentence(
+              Map.of("module", listing.path(), "stopped", true),
+              listing.path() + " is stopped; a call of its proxy or module start starts it.");
+      return ExitCode.WELL;
+    }
+  }
+}

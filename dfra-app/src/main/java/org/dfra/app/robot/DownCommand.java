@@ -1,0 +1,98 @@
+package org.dfra.app.robot;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.PhoenixOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.config.RobotXml;
+import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.RobotRemoval;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra down}. */
+@Command(
+    name = "down",
+    description = "Takes robots of this host down, or all of them and phoenix.",
+    footer = {
+      "",
+      "Without a robot, phoenix and every group of this host end; what is registered",
+      "is kept, and comes back with phoenix. A robot that is named is forgotten: its",
+      "modules get new identities when it is brought up again. Phoenix then goes on."
+    })
+public final class DownCommand implements Callable<Integer> {
+
+  @Parameters(
+      paramLabel = "ROBOT",
+      arity = "0..*",
+      description = "Robots by name or XML; without any, everything on this host.")
+  private List<String> robots = List.of();
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private PhoenixOptions options;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  @Override
+  public Integer call() throws Exception {
+    PhoenixProcess phoenix = options.last();
+    if (!phoenix.answers()) {
+      answer.sentence(
+          Map.of("phoenix", "none"),
+          "No phoenix answers on port " + phoenix.port() + "; nothing is up.");
+      return ExitCode.WELL;
+    }
+    if (robots.isEmpty()) {
+      phoenix.shutdown(PhoenixOptions.PATIENCE);
+      answer.sentence(Map.of("phoenix", "ended"), "Phoenix and its groups have ended.");
+      return ExitCode.WELL;
+    }
+    List<String> names = names(phoenix);
+    for (String name : names) {
+      RobotRemoval.of(phoenix, name, PhoenixOptions.PATIENCE);
+      answer.line(Map.of("robot", name, "down", true), name + " is down.");
+    }
+    return ExitCode.WELL;
+  }
+
+  /** The robots' names; all are checked before any is taken down. */
+  private List<String> names(PhoenixProcess phoenix) throws IOException, ActivationException {
+    List<String> known =
+        Inventory.of(phoenix).stream().map(ServiceGroup::robot).distinct().toList();
+    List<String> names = new ArrayList<>();
+    for (String each : robots) {
+      String name =
+          each.endsWith(".xml") || Files.exists(Path.of(each))
+              ? RobotXml.read(Path.of(each)).name()
+              : each;
+      if (!known.contains(name)) {
+        throw new CommandFailure(
+            ExitCode.NOT_FOUND,
+            "robot "
+                + name
+                + " is not up on this host"
+                + NearestName.hint(
+                    name,
+                    known,
+                    known.isEmpty() ? "; none is" : "; there is " + String.join(", ", known)));
+      }
+      names.add(name);
+    }
+    return names;
+  }
+}

@@ -1,0 +1,101 @@
+package org.dfra.app.robot;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.PhoenixOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.core.config.RobotXml;
+import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.phoenix.GroupStatus;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra status}. */
+@Command(
+    name = "status",
+    description = "Tells how the service groups of this host's robots are.",
+    footer = {"", "Ends with 4 where no phoenix answers. For the modules: ./dfra module list."})
+public final class StatusCommand implements Callable<Integer> {
+
+  @Parameters(
+      paramLabel = "ROBOT.XML",
+      arity = "0..*",
+      description = "Only these robots; without any, all of this host.")
+  private List<Path> xml = List.of();
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private PhoenixOptions options;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  /** A group as it is told of. */
+  record Group(
+      String robot,
+      String group,
+      String state,
+      long pid,
+      long started,
+      int crashes,
+      @Nullable String lastCrash,
+      List<String> services,
+      String log) {}
+
+  @Override
+  public Integer call() throws Exception {
+    List<String> wanted = new ArrayList<>();
+    for (Path each : xml) {
+      wanted.add(RobotXml.read(each).name());
+    }
+    PhoenixProcess phoenix = options.running();
+    List<Group> groups = new ArrayList<>();
+    for (ServiceGroup each : Inventory.of(phoenix)) {
+      if (wanted.isEmpty() || wanted.contains(each.robot())) {
+        groups.add(group(each));
+      }
+    }
+    Table table = new Table("GROUP", "STATE", "PROCESS", "STARTS", "CRASHES", "SERVICES");
+    for (Group each : groups) {
+      table.row(
+          each.robot() + "." + each.group(),
+          each.state(),
+          each.pid() < 0 ? "-" : Long.toString(each.pid()),
+          Long.toString(each.started()),
+          Integer.toString(each.crashes()),
+          String.join(", ", each.services()));
+    }
+    answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
+    return ExitCode.WELL;
+  }
+
+  private static Group group(ServiceGroup group) {
+    GroupStatus status = group.status();
+    List<String> services = new ArrayList<>();
+    if (group.registrar()) {
+      services.add("registrar");
+    }
+    services.addAll(group.modules());
+    String state = status.state().name().toLowerCase(Locale.ROOT);
+    return new Group(
+        group.robot(),
+        group.name(),
+        status.heldOffUntil() == null ? state : "held off until " + status.heldOffUntil(),
+        status.pid(),
+        status.incarnation(),
+        status.totalCrashes(),
+        status.lastCrash(),
+        services,
+        status.output());
+  }
+}

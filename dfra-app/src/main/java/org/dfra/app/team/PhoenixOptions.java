@@ -1,0 +1,113 @@
+package org.dfra.app.team;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.Spec.Target;
+
+/** Where the phoenix of this host answers. A picocli mix-in. */
+public final class PhoenixOptions {
+
+  /** How long phoenix may take to start or to end. */
+  public static final Duration PATIENCE = Duration.ofSeconds(30);
+
+  private static final int USUAL_PORT = 1198;
+  private static final int LAST_PORT = 65_535;
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "TCP port of phoenix (default: where it was started last, or 1198).")
+  private @Nullable Integer port;
+
+  @Option(
+      names = "--registry-port",
+      paramLabel = "PORT",
+      description =
+          "Port of phoenix's read-only RMI registry, -1 for none (default ${DEFAULT-VALUE}).")
+  private int registryPort = 1098;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private StateOption state;
+
+  @Spec(Target.MIXEE)
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** The folder of what phoenix keeps. */
+  public Path state() {
+    return state.folder();
+  }
+
+  /** The phoenix that was last started with this state; whether it answers is another question. */
+  public PhoenixProcess last() throws IOException {
+    if (!Files.exists(addressFile())) {
+      return at("localhost", USUAL_PORT);
+    }
+    String address = Files.readString(addressFile()).strip();
+    int colon = address.lastIndexOf(':');
+    return at(address.substring(0, colon), Integer.parseInt(address.substring(colon + 1)));
+  }
+
+  /**
+   * The phoenix that answers.
+   *
+   * @throws CommandFailure if none does
+   */
+  public PhoenixProcess running() throws IOException {
+    PhoenixProcess phoenix = last();
+    if (!phoenix.answers()) {
+      throw new CommandFailure(
+          ExitCode.NO_ANSWER,
+          "no phoenix answers on port "
+              + phoenix.port()
+              + " of "
+              + phoenix.host()
+              + "; bring a robot up first: ./dfra up ROBOT.XML");
+    }
+    return phoenix;
+  }
+
+  /**
+   * Starts a phoenix whose proxies carry this host, and notes its address for later commands.
+   *
+   * @return it, and its process
+   */
+  public Map.Entry<PhoenixProcess, Process> start(String host) throws IOException {
+    PhoenixProcess phoenix = at(host, USUAL_PORT);
+    Process process = phoenix.start(PATIENCE);
+    Files.writeString(addressFile(), phoenix.host() + ":" + phoenix.port());
+    return Map.entry(phoenix, process);
+  }
+
+  private PhoenixProcess at(String host, int usualPort) {
+    int wanted = port == null ? usualPort : port;
+    check("--port", wanted, 1);
+    check("--registry-port", registryPort, -1);
+    return new PhoenixProcess(host, wanted, registryPort, state());
+  }
+
+  private void check(String option, int value, int least) {
+    if (value < least || value > LAST_PORT) {
+      throw new ParameterException(
+          spec.commandLine(),
+          option + "=" + value + " is not a port from " + least + " to " + LAST_PORT);
+    }
+  }
+
+  private Path addressFile() {
+    return state().resolve("phoenix.address");
+  }
+}

@@ -1,0 +1,138 @@
+package org.dfra.app.team;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dfra.app.terminal.Answer;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.river.bootstrap.HostAddress;
+import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.call.CallbackHost;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.Spec.Target;
+
+/**
+ * Where a command looks for the team's lookup services. A picocli mix-in.
+ *
+ * <p>It asks the registrars of the robots that were brought up on this host, those at the locators,
+ * and by multicast those of the discovery groups.
+ */
+public final class TeamOptions {
+
+  /** What is asked by multicast unless something else is said. */
+  static final String TEAM = "field";
+
+  @Option(
+      names = "--team",
+      paramLabel = "GROUPS",
+      description =
+          "Discovery groups to ask by multicast, separated by commas; empty for none"
+              + " (default: DFRA_TEAM, or field).")
+  private @Nullable String team;
+
+  @Option(
+      names = "--locator",
+      paramLabel = "HOST:PORT[,...]",
+      hideParamSyntax = true,
+      split = ",",
+      description = "Registrars to ask by unicast (default: those of DFRA_LOCATORS).")
+  private String @Nullable [] locators;
+
+  @Option(
+      names = "--host",
+      paramLabel = "ADDRESS",
+      description =
+          "Address at which registrars reach this computer (default: DFRA_HOST, or auto).")
+  private @Nullable String host;
+
+  @Option(
+      names = "--wait",
+      paramLabel = "SECONDS",
+      description = "How long to wait for answers (default ${DEFAULT-VALUE}).")
+  private double wait = 2;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private StateOption state;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  @Spec(Target.MIXEE)
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** How the command that looks there answers. */
+  public Answer answer() {
+    return answer;
+  }
+
+  /** Begins to look. */
+  public Team open() throws IOException {
+    if (!(wait >= 0 && wait <= 3600)) {
+      throw new ParameterException(
+          spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
+    }
+    String wantedHost = either(host, "DFRA_HOST", HostAddress.AUTO);
+    String here = HostAddress.resolve(wantedHost);
+    if (!wantedHost.equals(HostAddress.AUTO)) {
+      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
+    }
+    List<String> groups = words(either(team, "DFRA_TEAM", TEAM));
+    Set<String> wanted = new LinkedHashSet<>();
+    for (RobotDescription robot : new KnownRobots(state.folder()).all()) {
+      robot
+          .registrar()
+          .filter(registrar -> registrar.port() != 0)
+          .ifPresent(
+              registrar ->
+                  wanted.add(
+                      "jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
+    }
+    List<String> named =
+        locators == null ? words(either(null, "DFRA_LOCATORS", "")) : Arrays.asList(locators);
+    for (String each : named) {
+      wanted.add(each.startsWith("jini://") ? each : "jini://" + each);
+    }
+    return new Team(
+        new JiniModuleDirectory(here, groups, new ArrayList<>(wanted)),
+        Duration.ofNanos((long) (wait * 1e9)),
+        answer,
+        whatIsAsked(groups, wanted));
+  }
+
+  private static String whatIsAsked(List<String> groups, Set<String> locators) {
+    List<String> asked = new ArrayList<>();
+    if (!groups.isEmpty()) {
+      asked.add("group " + String.join(", ", groups) + " by multicast");
+    }
+    asked.addAll(locators);
+    return asked.isEmpty() ? "nobody" : String.join(" and ", asked);
+  }
+
+  private static String either(@Nullable String option, String variable, String otherwise) {
+    if (option != null) {
+      return option.strip();
+    }
+    String value = System.getenv(variable);
+    return value == null || value.isBlank() ? otherwise : value.strip();
+  }
+
+  private static List<String> words(String list) {
+    return Arrays.stream(list.split(",", -1))
+        .map(String::strip)
+        .filter(word -> !word.isEmpty())
+        .toList();
+  }
+}

@@ -1,0 +1,5 @@
+/** Where a command finds robots: the team's lookup services, and the phoenix of this host. */
+@NullMarked
+package org.dfra.app.team;
+
+import org.jspecify.annotations.NullMarked;

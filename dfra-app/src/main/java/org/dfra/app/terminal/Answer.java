@@ -1,0 +1,133 @@
+package org.dfra.app.terminal;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import java.io.PrintWriter;
+import java.lang.reflect.Type;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.Spec.Target;
+
+/** How a command answers: for people, or with {@code --json} for programs. A picocli mix-in. */
+public final class Answer {
+
+  @Option(names = "--json", description = "Answer in JSON.")
+  private boolean json;
+
+  @Spec(Target.MIXEE)
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** Whether a program is asking. */
+  public boolean isJson() {
+    return json;
+  }
+
+  /**
+   * Gives a value: as JSON, or as a table.
+   *
+   * @param value what the table tells, for programs
+   * @param nothing what people are told when there are no rows
+   */
+  public void table(List<?> value, Table table, String nothing) {
+    if (json) {
+      out().println(Json.pretty(value));
+    } else if (value.isEmpty()) {
+      out().println(nothing);
+    } else {
+      List<String> lines = table.lines();
+      Ansi ansi = spec.commandLine().getColorScheme().ansi();
+      out().println(ansi.string("@|bold " + lines.get(0) + "|@"));
+      lines.subList(1, lines.size()).forEach(out()::println);
+    }
+    out().flush();
+  }
+
+  /** Gives a value: as JSON, or as indented lines. */
+  public void outline(Object value) {
+    if (json) {
+      out().println(Json.pretty(value));
+    } else {
+      Outline.of(value).forEach(out()::println);
+    }
+    out().flush();
+  }
+
+  /**
+   * Gives a value: as JSON, or as a sentence.
+   *
+   * @param value what the sentence tells, for programs
+   */
+  public void sentence(Object value, String sentence) {
+    out().println(json ? Json.pretty(value) : sentence);
+    out().flush();
+  }
+
+  /**
+   * Gives a value: as JSON, or as lines.
+   *
+   * @param value what the lines tell, for programs
+   */
+  public void lines(Object value, List<String> lines) {
+    sentence(value, String.join(System.lineSeparator(), lines));
+  }
+
+  /** Whether somebody still reads the answer; nobody does where it goes to a pipe that closed. */
+  public boolean isRead() {
+    return !out().checkError() && !System.out.checkError(); // the first hides the second's errors
+  }
+
+  /** Gives one of many values, on one line each. */
+  public void line(Object value, String line) {
+    out().println(json ? Json.line(value) : line);
+    out().flush();
+  }
+
+  /**
+   * What was written on the command line as a value of a type: a text, a number, a name of an
+   * enumeration, a duration in seconds, an instant in ISO 8601, or anything else in JSON.
+   *
+   * @throws IllegalArgumentException if it is no such value
+   */
+  public static Object value(String text, Type type) {
+    if (type == String.class) {
+      return text;
+    }
+    boolean isWord = type instanceof Class<?> c && (c.isEnum() || c == Instant.class);
+    try {
+      return Json.read(isWord ? '"' + (isEnum(type) ? constant(text) : text) + '"' : text, type);
+    } catch (JsonProcessingException e) {
+      throw new IllegalArgumentException(
+          "\"" + text + "\" is no " + name(type) + ": " + e.getOriginalMessage(), e);
+    }
+  }
+
+  private static boolean isEnum(Type type) {
+    return type instanceof Class<?> c && c.isEnum();
+  }
+
+  private static String constant(String text) {
+    return text.toUpperCase(Locale.ROOT);
+  }
+
+  private static String name(Type type) {
+    return type instanceof Class<?> c ? c.getSimpleName() : type.getTypeName();
+  }
+
+  /** Tells people something on the side; a program is not told. */
+  public void remark(String sentence) {
+    if (!json) {
+      PrintWriter err = spec.commandLine().getErr();
+      err.println("dfra: " + sentence);
+      err.flush();
+    }
+  }
+
+  private PrintWriter out() {
+    return spec.commandLine().getOut();
+  }
+}

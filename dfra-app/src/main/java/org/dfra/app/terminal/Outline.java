@@ -1,0 +1,100 @@
+package org.dfra.app.terminal;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Any value as indented lines {@code name: value}, for people. */
+final class Outline {
+
+  private static final String INDENT = "  ";
+
+  private final List<String> lines = new ArrayList<>();
+
+  private Outline() {}
+
+  static List<String> of(Object value) {
+    Outline outline = new Outline();
+    JsonNode tree = Json.tree(value);
+    if (tree.isContainerNode()) {
+      outline.children(tree, "");
+    } else {
+      outline.lines.add(text(tree));
+    }
+    return outline.lines;
+  }
+
+  private void children(JsonNode node, String indent) {
+    if (node.isObject()) {
+      node.properties().forEach(each -> named(words(each.getKey()), each.getValue(), indent));
+    } else {
+      node.elements().forEachRemaining(each -> element(each, indent));
+    }
+  }
+
+  private void named(String name, JsonNode value, String indent) {
+    if (isShort(value)) {
+      lines.add(indent + name + ": " + text(value));
+    } else {
+      lines.add(indent + name + ":");
+      children(value, indent + INDENT);
+    }
+  }
+
+  private void element(JsonNode value, String indent) {
+    if (isShort(value)) {
+      lines.add(indent + "- " + text(value));
+      return;
+    }
+    int first = lines.size();
+    children(value, indent + INDENT);
+    if (lines.size() > first) {
+      lines.set(first, indent + "- " + lines.get(first).strip());
+    }
+  }
+
+  private static boolean isShort(JsonNode value) {
+    return value.isValueNode()
+        || value.isEmpty()
+        || (value.isArray() && allAreValues(value) && text(value).length() <= 70);
+  }
+
+  private static boolean allAreValues(JsonNode array) {
+    for (JsonNode each : array) {
+      if (!each.isValueNode()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** A value in a few words. */
+  static String text(JsonNode value) {
+    if (value.isNull() || value.isMissingNode()) {
+      return "not known";
+    } else if (value.isContainerNode()) {
+      List<String> texts = new ArrayList<>();
+      value.elements().forEachRemaining(each -> texts.add(text(each)));
+      return texts.isEmpty() ? "none" : String.join(", ", texts);
+    } else if (value.isBoolean()) {
+      return value.booleanValue() ? "yes" : "no";
+    } else if (value.isFloatingPointNumber()) {
+      return number(value.doubleValue());
+    }
+    return value.asText();
+  }
+
+  private static String number(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e15
+        ? String.format(Locale.ROOT, "%.0f", value)
+        : Double.toString(value);
+  }
+
+  /** {@code maxRate} as {@code max rate}. */
+  static String words(String name) {
+    return name.matches("[a-z]+(?:[A-Z][a-z0-9]+)+")
+        ? name.replaceAll("([A-Z])", " $1").toLowerCase(Locale.ROOT)
+        : name;
+  }
+}

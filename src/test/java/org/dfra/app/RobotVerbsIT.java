@@ -1,0 +1,246 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.example.thermometer.SteadyThermometerImpl;
+import org.dfra.example.thermometer.Thermometer;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code ./dfra up}, {@code down}, {@code status} and {@code module}, run as a user runs them. */
+class RobotVerbsIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(40);
+
+  @TempDir Path folder;
+
+  @Test
+  void bringsARobotUpOnceAndTakesItDown() throws Exception {
+    int registrar = freePort();
+    String port = "--port=" + freePort();
+    String registry = "--registry-port=-1";
+    String state = "--state=" + folder.resolve("state");
+    String xml = robot(registrar).toString();
+    try (MarkedProcesses processes = new MarkedProcesses(folder)) {
+      Outcome up = processes.dfra(PATIENCE, "up", xml, port, registry, state);
+      assertThat(up.exit()).as(up.out() + up.err()).isZero();
+      assertThat(up.err()).isEmpty();
+      assertThat(up.out())
+          .contains("Started phoenix: process ", "Up: t1/registrar in group one.")
+          .contains("Up: t1/warmth in group one.");
+      assertThat(processes.living()).as("phoenix and one group").hasSize(2);
+
+      assertThat(folder.resolve("state/phoenix.address"))
+          .as("phoenix is where the robot's proxies can be reached, not where it likes")
+          .hasContent("127.0.0.1:" + port.replace("--port=", ""));
+
+      String locator = "jini://127.0.0.1:" + registrar;
+      try (JiniModuleDirectory finder =
+          new JiniModuleDirectory("127.0.0.1", List.of(), List.of(locator))) {
+        Thermometer found =
+            finder.findFirst(ModuleQuery.of(Thermometer.class), PATIENCE).orElseThrow().module();
+        assertThat(found.celsius()).isEqualTo(17);
+      }
+
+      Outcome again = processes.dfra(PATIENCE, "up", xml, port, registry, state);
+      assertThat(again.exit()).as(again.out() + again.err()).isZero();
+      assertThat(again.out()).startsWith("Phoenix answers on port ");
+      Outcome status = processes.dfra(PATIENCE, "status", state);
+      assertThat(status.out())
+          .as("one launch, though it was brought up twice")
+          .containsPattern("t1\\.one +active +\\d+ +1 +0 +registrar, warmth");
+      assertThat(processes.living()).hasSize(2);
+
+      Outcome down = processes.dfra(PATIENCE, "down", state);
+      assertThat(down.exit()).as(down.out() + down.err()).isZero();
+      assertThat(down.out()).isEqualToIgnoringNewLines("Phoenix and its groups have ended.");
+      await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
+
+      Outcome nothing = processes.dfra(PATIENCE, "down", state);
+      assertThat(nothing.exit()).isZero();
+      assertThat(nothing.out()).startsWith("No phoenix answers on port ");
+
+      Outcome none = processes.dfra(PATIENCE, "status", state);
+      assertThat(none.exit()).isEqualTo(4);
+      assertThat(none.err()).startsWith("dfra: no phoenix answers on port ");
+    }
+  }
+
+  @Test
+  void modulesAreAskedAndChangedByName() throws Exception {
+    int registrar = freePort();
+    String state = "--state=" + folder.resolve("state");
+    Path xml = robot(registrar);
+    try (MarkedProcesses processes = new MarkedProcesses(folder)) {
+      Verbs verbs = new Verbs(processes, state);
+      verbs.well("up", xml.toString(), "--port=" + freePort(), "--registry-port=-1");
+
+      assertThat(verbs.well("module", "list", "--team="))
+          .containsPattern("MODULE +KIND +STATE +CLIENTS +HOST +SEEN")
+          .containsPattern("t1/warmth +Thermometer +ready +0 +127\\.0\\.0\\.1 +now");
+      JsonNode listed =
+          new ObjectMapper().readTree(verbs.well("module", "list", "--team=", "--json"));
+      assertThat(listed).hasSize(1);
+      assertThat(listed.get(0).get("kinds").get(0).asText()).isEqualTo("Thermometer");
+      assertThat(verbs.well("module", "list", "--team=", "--kind=GPSSensor"))
+          .isEqualToIgnoringNewLines("No module is registered.");
+
+      assertThat(verbs.well("module", "call", "warmth", "celsius", "--team="))
+          .isEqualToIgnoringNewLines("17");
+      assertThat(verbs.well("module", "call", "t1/warmth", "--team="))
+          .containsPattern("celsius\\(\\) +double +yes");
+      assertThat(verbs.well("module", "info", "t1/warmth", "--team="))
+          .contains("module: t1/warmth", "kinds: Thermometer", "state: READY");
+      verbs.fails(
+          3,
+          "there is no module t1/warmt; did you mean \"t1/warmth\"?",
+          "module",
+          "call",
+          "t1/warmt",
+          "celsius",
+          "--team=",
+          "--wait=0.5");
+      verbs.fails(
+          3,
+          "the module has no method celsiu; did you mean \"celsius\"?",
+          "module",
+          "call",
+          "warmth",
+          "celsiu",
+          "--team=");
+      verbs.fails(
+          2,
+          "there is no celsius with 1 arguments; there is celsius()",
+          "module",
+          "call",
+          "warmth",
+          "celsius",
+          "3",
+          "--team=");
+      verbs.fails(
+          3,
+          "no lookup service answers",
+          "module",
+          "list",
+          "--team=",
+          "--state=" + folder.resolve("nowhere"));
+
+      verbs.well("module", "stop", "warmth", "--team=");
+      assertThat(verbs.well("module", "list", "--team=")).startsWith("No module is registered.");
+      verbs.well("module", "start", "t1/warmth");
+      assertThat(verbs.well("module", "call", "warmth", "celsius", "--team=")).startsWith("17");
+
+      assertThat(verbs.well("module", "kill", "t1/warmth")).startsWith("Killed group one of t1");
+      verbs.fails(
+          3,
+          "this host has no module t1/warmt; did you mean \"t1/warmth\"?",
+          "module",
+          "kill",
+          "t1/warmt");
+      assertThat(verbs.well("module", "call", "t1/warmth", "celsius", "--team=", "--wait=20"))
+          .as("phoenix has brought it back")
+          .startsWith("17");
+
+      Files.writeString(
+          xml,
+          Files.readString(xml)
+              .replace("value=\"17\"", "value=\"18\"")
+              .replace("</group>", module("chill", -3) + "</group>"));
+      verbs.well("module", "add", xml.toString(), "chill");
+      verbs.well("module", "replace", xml.toString(), "warmth");
+      assertThat(verbs.well("module", "call", "t1/chill", "celsius", "--team=")).startsWith("-3");
+      assertThat(verbs.well("module", "call", "t1/warmth", "celsius", "--team=")).startsWith("18");
+      verbs.fails(
+          1,
+          "robot t1 has no module chil; did you mean \"chill\"?",
+          "module",
+          "add",
+          xml.toString(),
+          "chil");
+      verbs.well("module", "remove", "t1/chill");
+      assertThat(verbs.well("status")).doesNotContain("chill");
+
+      assertThat(verbs.well("down", "t1")).isEqualToIgnoringNewLines("t1 is down.");
+      assertThat(verbs.well("status")).startsWith("Phoenix answers, but no such robot is up");
+      verbs.fails(3, "robot t1 is not up on this host; none is", "down", "t1");
+      verbs.well("down");
+      await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
+    }
+  }
+
+  /** Runs commands on one state folder. */
+  private record Verbs(MarkedProcesses processes, String state) {
+
+    String well(String... arguments) throws Exception {
+      Outcome outcome = run(arguments);
+      assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
+      return outcome.out();
+    }
+
+    void fails(int code, String sentence, String... arguments) throws Exception {
+      Outcome outcome = run(arguments);
+      assertThat(outcome.err()).startsWith("dfra: ").contains(sentence).hasLineCount(1);
+      assertThat(outcome.exit()).isEqualTo(code);
+    }
+
+    private Outcome run(String... arguments) throws Exception {
+      boolean hasState = Arrays.stream(arguments).anyMatch(each -> each.startsWith("--state="));
+      return processes.dfra(
+          PATIENCE,
+          hasState
+              ? arguments
+              : Stream.concat(Arrays.stream(arguments), Stream.of(state)).toArray(String[]::new));
+    }
+  }
+
+  private static String module(String name, int celsius) {
+    return """
+        <module name="%s" server="%s" proxy="%s" driver="%s">
+          <parameter name="celsius" value="%d"/>
+        </module>
+        """
+        .formatted(
+            name,
+            ThermometerServer.class.getName(),
+            ThermometerProxy.class.getName(),
+            SteadyThermometerImpl.class.getName(),
+            celsius);
+  }
+
+  private Path robot(int registrar) throws IOException {
+    return Files.writeString(
+        folder.resolve("t1.xml"),
+        """
+        <robot xmlns="urn:dfra:robot:1" name="t1" host="127.0.0.1">
+          <group name="one">
+            <registrar port="%d"/>
+            %s
+          </group>
+        </robot>
+        """
+            .formatted(registrar, module("warmth", 17)));
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+      return socket.getLocalPort();
+    }
+  }
+}
