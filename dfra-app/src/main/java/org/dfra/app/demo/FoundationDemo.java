@@ -50,7 +50,7 @@ final class FoundationDemo implements Demo {
         play(stage);
         tell.table();
         return true;
-      } catch (Exception e) {
+      } catch (Exception e) { // whatever it is, the audience is told at which step
         stage.keepFolder();
         tell.chapter("FAILED while " + step);
         tell.say("%s", e.toString());
