@@ -1,17 +1,12 @@
 package org.dfra.app.demo;
 
-import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Duration;
-import java.time.Instant;
-import java.time.temporal.ChronoUnit;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
 
 /** What a demonstration says, each sentence with the time since it began, and what it measured. */
 final class Narration {
@@ -22,21 +17,8 @@ final class Narration {
   private final PrintWriter out;
   private final LongSupplier nanos;
   private final long began;
-  private final List<Figure> figures = new ArrayList<>();
-
-  /**
-   * One measured figure.
-   *
-   * @param what what was measured
-   * @param measured the value
-   * @param limit the most it should be
-   * @param unit the unit of both
-   */
-  record Figure(String what, double measured, double limit, String unit) {
-    boolean isMet() {
-      return measured <= limit;
-    }
-  }
+  private final Figures figures = new Figures();
+  private String step = "setting the stage";
 
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
@@ -47,8 +29,24 @@ final class Narration {
     this.began = nanos.getAsLong();
   }
 
+  /** Begins a step with a heading of its own. */
+  void chapter(String doing, String title) {
+    step(doing);
+    heading(title);
+  }
+
+  /** Begins a step within a chapter, so that it can be named should it fail. */
+  void step(String doing) {
+    step = doing;
+  }
+
+  /** What is being done, such as "killing phoenix". */
+  String step() {
+    return step;
+  }
+
   /** A heading. */
-  void chapter(String title) {
+  void heading(String title) {
     out.println();
     out.println(title);
     out.flush();
@@ -74,6 +72,12 @@ final class Narration {
     out.flush();
   }
 
+  /** Lines under a sentence, as they are, such as those of a table. */
+  void show(List<String> lines) {
+    lines.forEach(line -> out.println((INDENT + line).stripTrailing()));
+    out.flush();
+  }
+
   /** Starts a stopwatch. */
   Stopwatch stopwatch() {
     long start = nanos.getAsLong();
@@ -95,51 +99,16 @@ final class Narration {
     figure(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s");
   }
 
+  /** What was measured until now. */
+  Figures figures() {
+    return figures;
+  }
+
   /** Prints the table of figures. */
   void table() {
-    chapter("Measured");
-    for (Figure figure : figures) {
-      out.printf(
-          Locale.ROOT,
-          "  %-58s %9s %-2s   wanted ≤ %s %s%s%n",
-          figure.what(),
-          number(figure.measured()),
-          figure.unit(),
-          number(figure.limit()),
-          figure.unit(),
-          figure.isMet() ? "" : "   MISSED");
-    }
+    heading("Measured");
+    figures.all().forEach(each -> out.println(each.line()));
     out.flush();
-  }
-
-  /** Appends the figures to a CSV file, which is begun with a header where it does not exist. */
-  void record(Path file, String demo) throws IOException {
-    StringBuilder rows = new StringBuilder();
-    if (!Files.exists(file)) {
-      rows.append("when,demo,java,cores,figure,measured,wanted_at_most,unit\n");
-    }
-    Instant now = Instant.now().truncatedTo(ChronoUnit.SECONDS);
-    for (Figure figure : figures) {
-      rows.append(
-          String.format(
-              Locale.ROOT,
-              "%s,%s,%s,%d,\"%s\",%s,%s,%s%n",
-              now,
-              demo,
-              Runtime.version().feature(),
-              Runtime.getRuntime().availableProcessors(),
-              figure.what(),
-              number(figure.measured()),
-              number(figure.limit()),
-              figure.unit()));
-    }
-    Files.writeString(file, rows, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-  }
-
-  private static String number(double value) {
-    return value >= 100
-        ? String.format(Locale.ROOT, "%.0f", value)
-        : String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.3f", value);
   }
 
   private long elapsed() {
