@@ -37,7 +37,7 @@ class CommandLineTest {
         "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, help, module, status, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
-            + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra demo --help",
+            + " | there is no demonstration \"nonesuch\"; there is persona, foundation; see: ./dfra demo --help",
         "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
         "up --port=abc"
             + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra up --help",

@@ -51,10 +51,12 @@ final class ChangingRobot {
     ModuleListing<GPSSensor> added = await(first);
     Duration adding = watch.elapsed();
     tell.say(
-        "Module %s was added to the process of %s/%s and shown after %s:",
+        "A third receiver, module %s, was added to the process of %s/%s. After %s it worked and was"
+            + " shown:",
         added.path(), robot.name(), model, Wording.seconds(adding));
     tell.show(PersonaSheet.modules(List.of(added)));
     tell.figure("module added to it working and shown", adding, SOON);
+    await(stretches, 2);
 
     tell.step("replacing a module");
     UUID id = added.id();
@@ -65,11 +67,13 @@ final class ChangingRobot {
     Duration replacing = watch.elapsed();
     Checks.require(replaced.id().equals(id), "the newer version has another identity");
     tell.say(
-        "Its driver was replaced by a newer version, which averages positions, and shown after %s"
-            + " under the same identity. The object that the client had goes on: it is at %s.",
+        "It was replaced by a newer version of its driver, which averages positions. After %s that"
+            + " worked and was shown, under the same identity. The object through which the client"
+            + " used the old one reaches the new one, and says %s:",
         Wording.seconds(replacing), Wording.place(added.module().location().position()));
     tell.show(PersonaSheet.modules(List.of(replaced)));
     tell.figure("module replaced to the newer one working and shown", replacing, SOON);
+    await(stretches, 4);
 
     tell.step("removing a module");
     watch = tell.stopwatch();
@@ -79,7 +83,15 @@ final class ChangingRobot {
     tell.say(
         "It was removed, and gone from the robot's persona after %s.", Wording.seconds(removing));
     tell.figure("module removed to it gone", removing, SOON);
+    await(stretches, 6);
     tellOfTheRest(stretches);
+  }
+
+  /** Waits until every subscription has had so many readings. */
+  private static void await(List<FixLog.Stretch> stretches, int readings) throws Exception {
+    for (FixLog.Stretch each : stretches) {
+      each.await(readings, PATIENCE);
+    }
   }
 
   /** Waits for the module with this driver to work. */
@@ -106,8 +118,9 @@ final class ChangingRobot {
             .max(Comparator.naturalOrder())
             .orElse(Duration.ZERO);
     tell.say(
-        "Meanwhile the client got %d readings of the other %d receivers, one of them in the same"
-            + " process; %d were lost, and none came more than %s after the one before.",
+        "All the while the client got the readings of the other %2$d receivers, one of them in the"
+            + " same process: %1$d came, %3$d were lost, and it never waited longer than %4$s for the"
+            + " next.",
         readings, all.size(), lost, Wording.seconds(longest));
     tell.figure("readings of the others lost meanwhile", lost, 0, "");
     tell.figure("longest wait for one of them", longest, Duration.ofSeconds(2));

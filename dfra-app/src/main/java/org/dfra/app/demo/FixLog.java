@@ -16,12 +16,12 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 
 /**
- * A client's subscription to the readings of one receiver, with the time and the number of each.
+ * A client's subscription to one receiver, with the time and the number of each of its readings.
  * Nothing in it looks after failures: that the readings come again is the subscription's work.
  */
 final class FixLog implements AutoCloseable {
 
-  /** Readings kept for the client while it is busy; it never is for so many seconds. */
+  /** Events kept for the client while it is busy; it never is for so long. */
   private static final int DEPTH = 20;
 
   private final ModuleListing<GPSSensor> listing;
@@ -30,8 +30,7 @@ final class FixLog implements AutoCloseable {
 
   private FixLog(ModuleListing<GPSSensor> listing) throws RemoteException {
     this.listing = listing;
-    this.subscription =
-        listing.module().subscribe(arrivals, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+    this.subscription = listing.module().subscribe(arrivals, DeliveryPolicy.keepLast(DEPTH));
   }
 
   /** Subscribes. */
@@ -53,8 +52,10 @@ final class FixLog implements AutoCloseable {
 
     @Override
     public synchronized void notify(Delivery delivery) {
-      all.add(new Arrival(System.nanoTime(), delivery.epoch(), delivery.sequence()));
-      notifyAll();
+      if (delivery.kind() == Kind.READING) {
+        all.add(new Arrival(System.nanoTime(), delivery.epoch(), delivery.sequence()));
+        notifyAll();
+      }
     }
   }
 
@@ -172,7 +173,7 @@ final class FixLog implements AutoCloseable {
    * @param readings that came
    * @param length of the stretch
    * @param longestWait without a reading
-   * @param lost readings that were missing in the numbers
+   * @param lost events, readings or others, that were missing in the numbers
    */
   record Summary(String path, long readings, Duration length, Duration longestWait, long lost) {}
 

@@ -3,12 +3,13 @@ package org.dfra.app.demo;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
+import org.dfra.app.terminal.Table;
 import org.dfra.directory.Condition;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Persona;
+import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.module.Module;
 import org.dfra.persona.GpsReceiverAttributes;
@@ -50,14 +51,12 @@ final class Introduction {
                 && directory.personas().stream().allMatch(each -> isComplete(each, modules)));
     Duration cold = sinceColdStart.elapsed();
     tell.say(
-        "A client that knows no robot by name asked the registrars. This is what the robots show of"
-            + " themselves, their personas; nobody had to be called for it:");
+        "A client found both through their registrars, without knowing their names. What a robot"
+            + " shows of itself is its persona. It is read from the registrar; no module had to be"
+            + " called. It is fresh as long as a registrar that answers vouches for it.");
     Instant now = Instant.now();
-    for (Persona each : directory.personas()) {
-      tell.show(List.of(""));
-      tell.show(PersonaSheet.of(each, now));
-    }
-    tell.show(List.of(""));
+    tell.blank();
+    directory.personas().forEach(each -> tell.show(PersonaSheet.of(each, now)));
     tell.figure(
         "cold start of both robots to all modules working and shown", cold, Duration.ofSeconds(16));
   }
@@ -86,21 +85,17 @@ final class Introduction {
     }
     double micros = watch.elapsed().toNanos() / 1e3 / rounds;
     tell.say(
-        "\"Location sensors on any robot, with a 3-D fix, at 1 Hz or more\": %d answers after"
-            + " %s µs, from what the client already knows. No network is needed to ask.",
-        found.size(), String.format(Locale.ROOT, "%.1f", micros));
-    tell.show(
-        found.stream()
-            .map(
-                each ->
-                    "  "
-                        + each.path()
-                        + "  ("
-                        + each.module().getClass().getSimpleName()
-                        + ", "
-                        + each.locality().name().toLowerCase(Locale.ROOT).replace('_', ' ')
-                        + ")")
-            .toList());
+        "\"Location sensors on any robot, with a 3-D fix, at 1 Hz or more\": %d answers in %.1f µs,"
+            + " from what the client already knows. Each can be called at once:",
+        found.size(), micros);
+    Table table = new Table("ANSWER", "SAYS IT IS AT", "CALL TOOK");
+    for (ModuleListing<LocationSensor> each : found) {
+      watch = tell.stopwatch();
+      LocationReading location = each.module().location();
+      String took = Wording.seconds(watch.elapsed());
+      table.row(each.path(), Wording.place(location.position()), took);
+    }
+    tell.show(table.lines());
     Checks.require(found.size() == 4, found.size() + " location sensors were found, not 4");
     tell.figure(
         "a question by capability, answered from the client's cache", micros / 1e3, 5, "ms");

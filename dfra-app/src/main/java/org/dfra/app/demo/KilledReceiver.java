@@ -68,8 +68,9 @@ final class KilledReceiver {
       long missed = again.number() - last.number() - 1;
       long counted = log.subscription().lost() - lost;
       tell.say(
-          "Process %d was killed after reading no. %d. Reading no. %d came %s later, from process"
-              + " %d, and the lease counts again after %s. The client did nothing for either.",
+          "Process %d was killed after reading no. %d. Reading no. %d came %s after the kill, from"
+              + " process %d, and the lease counts again after %s. The client did nothing for"
+              + " either.",
           process,
           last.number(),
           again.number(),
@@ -77,15 +78,16 @@ final class KilledReceiver {
           robot.process(log.module()),
           Wording.seconds(leased));
       tell.say(
-          "Nothing was measured while the receiver was dead, so its readings are numbered on. In"
-              + " the gap of %s between the two the subscription counted %d lost reading%s: one that"
-              + " was measured before the client was known again.",
+          "Events are numbered through all of a module's lives, so a gap is seen and counted. In this"
+              + " one, %s long, the client missed %s, of which %s; the rest only tells that the"
+              + " receiver was started again.",
           Wording.seconds(Duration.ofNanos(again.nanos() - last.nanos())),
-          counted,
-          counted == 1 ? "" : "s");
+          Wording.count(counted, "event"),
+          Wording.count(missed, "reading"));
       tell.figure("receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
       tell.figure("receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
-      tell.figure("readings missed in the gap but not counted", missed - counted, 0, "");
+      tell.figure(
+          "readings missed in the gap but not counted", Math.max(0, missed - counted), 0, "");
     }
   }
 
@@ -119,17 +121,19 @@ final class KilledReceiver {
     long process = robot.process(asked.substring(asked.indexOf('/') + 1));
     ExecutorService caller = Executors.newSingleThreadExecutor();
     try {
-      stage.signal("STOP", process); // so that the call is under way when the process dies
+      stage.signal("STOP", process);
       Future<LocationReading> call = inFlight(caller, any);
       Narration.Stopwatch watch = tell.stopwatch();
       stage.signal("KILL", process);
       String answered = call.get(PATIENCE.toSeconds(), TimeUnit.SECONDS).frame();
       Duration took = watch.elapsed();
-      Checks.require(!answered.equals(asked), asked + " answered, though it was killed");
       tell.say(
-          "The next call had reached it and waited for its answer when process %d was killed. After"
-              + " %s the call was answered by %s; the caller saw no failure.",
+          "The next call had reached it and waited for its answer (the process was stopped for"
+              + " that) when process %d was killed. %s after the kill the call was answered by %s;"
+              + " the caller saw no failure.",
           process, Wording.seconds(took), answered);
+      Checks.require(
+          !answered.equals(asked), asked + " was back before the other receiver was asked");
       tell.figure("call to a killed receiver answered by the other", took, Duration.ofSeconds(3));
     } finally {
       caller.shutdownNow();

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.regex.Pattern;
 import org.dfra.app.figure.Figure;
 import org.dfra.app.figure.Figures;
 
@@ -12,13 +13,21 @@ import org.dfra.app.figure.Figures;
 final class Narration {
 
   private static final int WIDTH = 96;
+
+  /** Where a line may end: not between a number and its unit. */
+  private static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m)\\b)");
+
   private static final String INDENT = " ".repeat(11);
+
+  /** Tables are wider than sentences, so they begin further left. */
+  private static final String MARGIN = " ".repeat(4);
 
   private final PrintWriter out;
   private final LongSupplier nanos;
   private final long began;
   private final Figures figures = new Figures();
   private String step = "setting the stage";
+  private boolean spaced; // the last line was empty
 
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
@@ -47,8 +56,9 @@ final class Narration {
 
   /** A heading. */
   void heading(String title) {
-    out.println();
+    blank();
     out.println(title);
+    spaced = false;
     out.flush();
   }
 
@@ -57,7 +67,7 @@ final class Narration {
     String text = String.format(Locale.ROOT, format, arguments);
     StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
     int column = line.length();
-    for (String word : text.split(" ", -1)) {
+    for (String word : BREAK.split(text)) {
       if (column + word.length() + 1 > WIDTH && column > INDENT.length()) {
         line.append(System.lineSeparator()).append(INDENT);
         column = INDENT.length();
@@ -69,13 +79,24 @@ final class Narration {
       column += word.length();
     }
     out.println(line);
+    spaced = false;
     out.flush();
   }
 
-  /** Lines under a sentence, as they are, such as those of a table. */
+  /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */
   void show(List<String> lines) {
-    lines.forEach(line -> out.println((INDENT + line).stripTrailing()));
+    lines.forEach(line -> out.println((MARGIN + line).stripTrailing()));
+    spaced = false;
+    blank();
     out.flush();
+  }
+
+  /** An empty line, unless the last one was. */
+  void blank() {
+    if (!spaced) {
+      out.println();
+      spaced = true;
+    }
   }
 
   /** Starts a stopwatch. */

@@ -1,12 +1,17 @@
 package org.dfra.app.demo;
 
 import java.io.IOException;
+import org.dfra.core.log.LogLevels;
+import org.dfra.module.LogLevel;
 
 /**
  * Plays a demonstration on a stage of its own: what fails is told with the step in which it did,
  * figures end in a table, and whatever happens, everything is cleared away.
  */
 final class Performance {
+
+  /** Where somebody says which log is wanted. */
+  private static final String LOG = "DFRA_LOG";
 
   private Performance() {}
 
@@ -21,6 +26,9 @@ final class Performance {
    * @return whether every step went well; figures that are not as wanted are no failure here
    */
   static boolean of(Narration tell, Play play) {
+    if (System.getenv(LOG) == null) {
+      LogLevels.service().set("org.dfra", LogLevel.ERROR); // it tells of its failures itself
+    }
     try (Stage stage = new Stage()) {
       Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(stage), "demo-end"));
       try {

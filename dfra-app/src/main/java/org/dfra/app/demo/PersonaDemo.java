@@ -46,7 +46,8 @@ final class PersonaDemo implements Demo {
     tell.chapter("switching on the receivers", "Two robots come up");
     List<String> links = stage.startReceivers(ANTENNAS);
     tell.say(
-        "%d Motorola M12+ GPS receivers are switched on: emulators, but of the real ones' bytes.",
+        "%d Motorola M12+ GPS receivers are switched on. They are emulated, byte for byte, so that"
+            + " the real driver reads them.",
         links.size());
     FieldRobot atrv1 = FieldRobot.of(stage, "atrv1", links.get(0), links.get(1));
     FieldRobot atrv2 = FieldRobot.of(stage, "atrv2", links.get(2), links.get(3));
@@ -87,8 +88,7 @@ final class PersonaDemo implements Demo {
       for (int i = 0; i < robots.size(); i++) {
         List<RobotBootstrap.Service> services = begun.get(i).get();
         tell.say(
-            "Robot %s is up after %s, with a phoenix of its own, the daemon that starts its"
-                + " processes and brings them back: %s, a process each.",
+            "Robot %s is up after %s, with a phoenix of its own: %s, a process each.",
             robots.get(i).name(),
             Wording.seconds(watch.elapsed()),
             services.stream().map(RobotBootstrap.Service::name).collect(Collectors.joining(", ")));
@@ -96,7 +96,9 @@ final class PersonaDemo implements Demo {
     } finally {
       threads.shutdownNow();
     }
-    tell.say("A registrar is a robot's own yellow pages: what is on the robot and what it can do.");
+    tell.say(
+        "Phoenix is the daemon that starts a robot's processes and brings them back. The registrar"
+            + " is the robot's own lookup service: its modules say there what they can do.");
   }
 
   private List<FixLog> listen(ModuleDirectory directory) throws Exception {

@@ -22,6 +22,7 @@ import org.dfra.persona.SensorAttributes;
 final class PersonaSheet {
 
   private static final String LABEL = "  %-13s%s";
+  private static final String TABLE = "  %s";
 
   private PersonaSheet() {}
 
@@ -36,7 +37,7 @@ final class PersonaSheet {
               lines.addAll(labelled("goals", robot.goals()));
               lines.addAll(labelled("limitations", robot.limitations()));
             });
-    lines.addAll(labelled("modules", modules(persona.modules())));
+    modules(persona.modules()).forEach(row -> lines.add(String.format(TABLE, row)));
     return lines;
   }
 
@@ -50,19 +51,19 @@ final class PersonaSheet {
                 persona.age(now).toMillis() / 1e3)
             : "fresh";
     String role = persona.attributes().map(PersonaAttributes::role).orElse("");
-    return persona.robot() + (role.isEmpty() ? "" : ", " + role) + " (" + state + ")";
+    return "Robot " + persona.robot() + (role.isEmpty() ? "" : ", " + role) + ": " + state;
   }
 
   /** Modules as a table. */
   static List<String> modules(List<? extends ModuleListing<? extends Module>> modules) {
-    Table table = new Table("MODULE", "STATE", "KIND", "DRIVER", "CAN DO", "PLACE");
+    Table table = new Table("MODULE", "STATE", "KIND", "VERSION", "CAN DO", "WHERE IT WAS");
     for (ModuleListing<? extends Module> each : modules) {
       Optional<ModuleAttributes> module = each.attributes(ModuleAttributes.class);
       table.row(
-          each.path(),
+          each.name(),
           module.map(its -> its.state().name().toLowerCase(Locale.ROOT)).orElse("?"),
           String.join(", ", Kinds.names(each.module())),
-          module.map(PersonaSheet::driver).orElse("?"),
+          module.map(ModuleAttributes::version).orElse("?"),
           ability(each),
           each.attributes(LocationAttributes.class)
               .map(its -> Wording.place(its.position()))
@@ -71,20 +72,20 @@ final class PersonaSheet {
     return table.lines();
   }
 
-  private static String driver(ModuleAttributes module) {
-    String name = module.driver();
-    return name.substring(name.lastIndexOf('.') + 1) + " " + module.version();
-  }
-
   private static String ability(ModuleListing<? extends Module> module) {
     List<String> parts = new ArrayList<>();
     module
         .attributes(GpsReceiverAttributes.class)
-        .ifPresent(its -> parts.add(String.join("+", its.fixModes()) + " fix"));
+        .ifPresent(its -> parts.add(String.join("/", its.fixModes()) + " fix"));
     module
         .attributes(SensorAttributes.class)
-        .ifPresent(its -> parts.add(String.format(Locale.ROOT, "≤ %.3g Hz", its.maxRate())));
+        .ifPresent(its -> parts.add("up to " + rate(its.maxRate())));
     return String.join(", ", parts);
+  }
+
+  private static String rate(double hertz) {
+    boolean isWhole = hertz == Math.rint(hertz);
+    return String.format(Locale.ROOT, isWhole ? "%.0f Hz" : "%.2f Hz", hertz);
   }
 
   private static List<String> labelled(String label, List<String> texts) {

@@ -68,9 +68,9 @@ final class StoppedReceiver {
         () -> stopped.subscription().interruptedSince().isEmpty());
     FixLog.Summary whole = silence.end();
     tell.say(
-        "It was let go on (kill -CONT): its readings came again after %s, and the subscription is"
-            + " whole; it counted %d lost reading%s.",
-        Wording.seconds(again), whole.lost(), whole.lost() == 1 ? "" : "s");
+        "It was let go on (kill -CONT). Its readings came again after %s, and the subscription"
+            + " reports no interruption any more; it counted %d lost.",
+        Wording.seconds(again), whole.lost());
   }
 
   private void tellOfTheOthers(FixLog.Stretch silence, List<FixLog.Stretch> others) {

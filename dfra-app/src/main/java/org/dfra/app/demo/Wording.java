@@ -17,6 +17,11 @@ final class Wording {
         : String.format(Locale.ROOT, "%.2f s", seconds);
   }
 
+  /** A number of things, such as {@code 1 reading} or {@code 2 readings}. */
+  static String count(long number, String thing) {
+    return number + " " + thing + (number == 1 ? "" : "s");
+  }
+
   /** Latitude and longitude in degrees, to some 0.1 m. */
   static String place(GeoPosition at) {
     return String.format(
