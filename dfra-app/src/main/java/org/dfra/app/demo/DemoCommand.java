@@ -21,6 +21,8 @@ import picocli.CommandLine.Spec;
     description = "Runs a demonstration with real processes on this machine.",
     footer = {
       "",
+      "Ends with 1 where a step fails, or a measured figure is not as wanted.",
+      "",
       "Demonstrations, the newest first:",
       "  persona      two robots: modules found by what they can do, kept through failures",
       "  foundation   a GPS receiver found by what it can do, and back after kill -9"
