@@ -97,14 +97,14 @@ class DemoIT {
         "readings missed in the gap but not counted 0",
         "call to a killed receiver answered by the other",
         "silent receiver reported",
-        "longest wait for a reading of the others meanwhile",
+        "longest wait for a reading while another receiver is silent",
         "registrar dead to its robot shown as stale",
         "phoenix started again to the robot fresh",
         "module added to it working and shown",
         "module replaced to the newer one working and shown",
         "module removed to it gone",
-        "readings of the others lost meanwhile 0",
-        "longest wait for one of them");
+        "readings lost while the robot was changed 0",
+        "longest wait for a reading while the robot was changed");
   }
 
   /** Runs a demonstration and looks at what it says, records, answers and leaves behind. */

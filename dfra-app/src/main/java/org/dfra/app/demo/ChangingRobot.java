@@ -122,8 +122,9 @@ final class ChangingRobot {
             + " same process: %1$d came, %3$d were lost, and it never waited longer than %4$s for the"
             + " next.",
         readings, all.size(), lost, Wording.seconds(longest));
-    tell.figure("readings of the others lost meanwhile", lost, 0, "");
-    tell.figure("longest wait for one of them", longest, Duration.ofSeconds(2));
+    tell.figure("readings lost while the robot was changed", lost, 0, "");
+    tell.figure(
+        "longest wait for a reading while the robot was changed", longest, Duration.ofSeconds(2));
   }
 
   private ModuleDescription like(String model, String link) {

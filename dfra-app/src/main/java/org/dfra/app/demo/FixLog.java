@@ -123,46 +123,30 @@ final class FixLog implements AutoCloseable {
       this.lostBefore = lostBefore;
     }
 
-    FixLog log() {
-      return FixLog.this;
-    }
-
     /** Waits for so many readings. */
     void await(int readings, Duration patience) throws Exception {
       Checks.await(
-          readings + " readings of " + path(), patience, () -> seen(System.nanoTime()) >= readings);
-    }
-
-    private long seen(long until) {
-      synchronized (arrivals) {
-        return arrivals.all.stream()
-            .filter(each -> each.nanos() - from >= 0 && each.nanos() - until <= 0)
-            .count();
-      }
+          readings + " readings of " + path(), patience, () -> end().readings() >= readings);
     }
 
     /** How many came, how far apart at the most, and how many did not come, until now. */
     Summary end() {
       long now = System.nanoTime();
-      long last = from;
-      long longest = 0;
+      long[] times;
       synchronized (arrivals) {
-        for (Arrival each : arrivals.all) {
-          if (each.nanos() - from < 0) {
-            last = from; // what came before says nothing of this stretch
-          } else {
-            longest = Math.max(longest, each.nanos() - last);
-            last = each.nanos();
-          }
-        }
+        times =
+            arrivals.all.stream().mapToLong(Arrival::nanos).filter(t -> t - from >= 0).toArray();
+      }
+      long longest = 0;
+      long last = from;
+      for (long each : times) {
+        longest = Math.max(longest, each - last);
+        last = each;
       }
       longest = Math.max(longest, now - last);
-      return new Summary(
-          path(),
-          seen(now),
-          Duration.ofNanos(now - from),
-          Duration.ofNanos(longest),
-          subscription.lost() - lostBefore);
+      double rate = times.length < 2 ? 0 : (times.length - 1) * 1e9 / (last - times[0]);
+      long lost = subscription.lost() - lostBefore;
+      return new Summary(path(), times.length, rate, Duration.ofNanos(longest), lost);
     }
   }
 
@@ -171,11 +155,11 @@ final class FixLog implements AutoCloseable {
    *
    * @param path of the receiver
    * @param readings that came
-   * @param length of the stretch
+   * @param rate at which they came, in hertz; 0 where fewer than two did
    * @param longestWait without a reading
    * @param lost events, readings or others, that were missing in the numbers
    */
-  record Summary(String path, long readings, Duration length, Duration longestWait, long lost) {}
+  record Summary(String path, int readings, double rate, Duration longestWait, long lost) {}
 
   @Override
   public void close() {

@@ -79,11 +79,10 @@ final class KilledReceiver {
           Wording.seconds(leased));
       tell.say(
           "Events are numbered through all of a module's lives, so a gap is seen and counted. In this"
-              + " one, %s long, the client missed %s, of which %s; the rest only tells that the"
-              + " receiver was started again.",
+              + " one, %s long, the client missed %s, %s.",
           Wording.seconds(Duration.ofNanos(again.nanos() - last.nanos())),
           Wording.count(counted, "event"),
-          Wording.count(missed, "reading"));
+          missed == 0 ? "but no reading" : missed + " of them readings");
       tell.figure("receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
       tell.figure("receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
       tell.figure(

@@ -37,8 +37,8 @@ final class LostRegistrar {
     tell.chapter("killing the registrar", "A robot's registrar is gone for a while");
     Set<UUID> before = ids();
     long registrar = robot.process("lookup");
-    Narration.Stopwatch watch = tell.stopwatch();
     robot.host().killPhoenix();
+    Narration.Stopwatch watch = tell.stopwatch();
     stage.signal("KILL", registrar);
     Checks.await("that the persona is stale", PATIENCE, () -> persona().stale());
     Duration stale = watch.elapsed();

@@ -69,7 +69,7 @@ final class StoppedReceiver {
     FixLog.Summary whole = silence.end();
     tell.say(
         "It was let go on (kill -CONT). Its readings came again after %s, and the subscription"
-            + " reports no interruption any more; it counted %d lost.",
+            + " reports no interruption any more; it counted %d lost events.",
         Wording.seconds(again), whole.lost());
   }
 
@@ -82,14 +82,14 @@ final class StoppedReceiver {
       table.row(
           each.path(),
           Long.toString(each.readings()),
-          String.format(Locale.ROOT, "%.2f Hz", each.readings() / (each.length().toNanos() / 1e9)),
+          String.format(Locale.ROOT, "%.2f Hz", each.rate()),
           Wording.seconds(each.longestWait()),
           Long.toString(each.lost()));
     }
     tell.say("Nothing else waited for it:");
     tell.show(table.lines());
     tell.figure(
-        "longest wait for a reading of the others meanwhile",
+        "longest wait for a reading while another receiver is silent",
         all.stream()
             .map(FixLog.Summary::longestWait)
             .max(Comparator.naturalOrder())
