@@ -1,5 +1,7 @@
 package org.dfra.app.figure;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Locale;
 
 /**
@@ -11,6 +13,8 @@ import java.util.Locale;
  * @param unit the unit of both; empty for a plain number
  */
 public record Figure(String what, double measured, double most, String unit) {
+
+  private static final MathContext SIX = new MathContext(6);
 
   /** Whether it is what it should be. */
   public boolean isMet() {
@@ -33,8 +37,13 @@ public record Figure(String what, double measured, double most, String unit) {
     return String.format(Locale.ROOT, "%-76s   %s%s", value, wanted, isMet() ? "" : "   MISSED");
   }
 
-  /** A number for people and CSV files: three digits after the point, or more where it is small. */
-  static String text(double value) {
+  /** A number for CSV files: six digits, without zeros at the end. */
+  static String exact(double value) {
+    return new BigDecimal(value).round(SIX).stripTrailingZeros().toPlainString();
+  }
+
+  /** A number for people: three digits after the point, or more where it is small. */
+  private static String text(double value) {
     if (value == Math.rint(value) || Math.abs(value) >= 100) {
       return String.format(Locale.ROOT, "%.0f", value);
     }

@@ -1,6 +1,7 @@
 package org.dfra.app.figure;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -31,7 +32,8 @@ public final class Figures {
   }
 
   /**
-   * Appends them to a CSV file, which is begun with a header where it does not exist.
+   * Appends them to a CSV file, which is begun with a header where it does not exist; with the
+   * machine's load, of the last minute, since that spoils figures.
    *
    * @param kind what is measured by, the column's heading: {@code demo} or {@code bench}
    * @param name which one of these
@@ -40,21 +42,23 @@ public final class Figures {
     StringBuilder rows = new StringBuilder();
     if (!Files.exists(file)) {
       rows.append("when,").append(kind);
-      rows.append(",java,cores,figure,measured,wanted_at_most,unit\n");
+      rows.append(",java,cores,load,figure,measured,wanted_at_most,unit\n");
     }
+    double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     Instant now = Instant.now().truncatedTo(ChronoUnit.SECONDS);
     for (Figure each : all) {
       rows.append(
           String.format(
               Locale.ROOT,
-              "%s,%s,%s,%d,\"%s\",%s,%s,%s%n",
+              "%s,%s,%s,%d,%.1f,\"%s\",%s,%s,%s%n",
               now,
               name,
               Runtime.version().feature(),
               Runtime.getRuntime().availableProcessors(),
+              load,
               each.what(),
-              Figure.text(each.measured()),
-              each.isBounded() ? Figure.text(each.most()) : "",
+              Figure.exact(each.measured()),
+              each.isBounded() ? Figure.exact(each.most()) : "",
               each.unit()));
     }
     Files.writeString(file, rows, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
