@@ -69,6 +69,7 @@ public final class UpCommand implements Callable<Integer> {
     } else {
       say("Phoenix answers on port " + phoenix.port() + " of " + phoenix.host() + ".");
     }
+    options.noteProcess(phoenix);
     List<Up> services = new ArrayList<>();
     for (RobotDescription robot : robots) {
       for (RobotBootstrap.Service service : new RobotBootstrap(phoenix, robot).up()) {

@@ -1,6 +1,7 @@
 package org.dfra.app.team;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,6 +12,7 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
@@ -78,32 +80,68 @@ public final class TeamOptions {
 
   /** Begins to look. */
   public Team open() throws IOException {
+    Duration patience = patience();
+    List<String> groups = groups();
+    Set<String> wanted = new LinkedHashSet<>(locatorsOfKnownRobots());
+    wanted.addAll(namedLocators());
+    return new Team(
+        new JiniModuleDirectory(HostAddress.resolve(wantedHost()), groups, new ArrayList<>(wanted)),
+        patience,
+        answer,
+        whatIsAsked(groups, wanted));
+  }
+
+  /** How long answers are awaited. */
+  public Duration patience() {
     if (!(wait >= 0 && wait <= 3600)) {
       throw new ParameterException(
           spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
     }
-    String here = HostAddress.resolve(either(host, "DFRA_HOST", HostAddress.AUTO));
-    List<String> groups = words(either(team, "DFRA_TEAM", TEAM));
-    Set<String> wanted = new LinkedHashSet<>();
-    for (RobotDescription robot : new KnownRobots(state.folder()).all()) {
+    return Duration.ofNanos((long) (wait * 1e9));
+  }
+
+  /** The discovery groups that are asked by multicast; none if empty. */
+  public List<String> groups() {
+    return words(either(team, "DFRA_TEAM", TEAM));
+  }
+
+  /** The address or name of this computer that is wanted, or {@code auto}. */
+  public String wantedHost() {
+    return either(host, "DFRA_HOST", HostAddress.AUTO);
+  }
+
+  /** The folder of what phoenix keeps on this host. */
+  public Path state() {
+    return state.folder();
+  }
+
+  /** The phoenix of this host that was last started; whether it answers is another question. */
+  public PhoenixProcess phoenix() throws IOException {
+    return PhoenixOptions.last(state(), PhoenixOptions.REGISTRY_PORT);
+  }
+
+  /** The registrars of the robots that were brought up here, as {@code jini://host:port}. */
+  public List<String> locatorsOfKnownRobots() throws IOException {
+    List<String> known = new ArrayList<>();
+    for (RobotDescription robot : new KnownRobots(state()).all()) {
       robot
           .registrar()
           .filter(registrar -> registrar.port() != 0)
           .ifPresent(
               registrar ->
-                  wanted.add(
+                  known.add(
                       "jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
     }
+    return known;
+  }
+
+  /** The registrars that were named by option or variable, as {@code jini://host:port}. */
+  public List<String> namedLocators() {
     List<String> named =
         locators == null ? words(either(null, "DFRA_LOCATORS", "")) : Arrays.asList(locators);
-    for (String each : named) {
-      wanted.add(each.startsWith("jini://") ? each : "jini://" + each);
-    }
-    return new Team(
-        new JiniModuleDirectory(here, groups, new ArrayList<>(wanted)),
-        Duration.ofNanos((long) (wait * 1e9)),
-        answer,
-        whatIsAsked(groups, wanted));
+    return named.stream()
+        .map(each -> each.startsWith("jini://") ? each : "jini://" + each)
+        .toList();
   }
 
   private static String whatIsAsked(List<String> groups, Set<String> locators) {

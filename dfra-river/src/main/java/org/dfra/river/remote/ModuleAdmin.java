@@ -3,7 +3,9 @@ package org.dfra.river.remote;
 import com.sun.jini.admin.DestroyAdmin;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
+import java.time.Instant;
 import net.jini.admin.JoinAdmin;
+import org.dfra.module.Idempotent;
 
 /**
  * What administrators may do to a module while it runs: have it join other lookup services, add
@@ -17,6 +19,14 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * is done.
    */
   void deactivate() throws RemoteException;
+
+  /**
+   * The time by the clock of the module's host, for those who compare clocks.
+   *
+   * @return UTC
+   */
+  @Idempotent
+  Instant clock() throws RemoteException;
 
   /**
    * {@inheritDoc}
