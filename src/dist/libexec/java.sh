@@ -29,7 +29,9 @@ find_java() { # $1 the command it must have, java or javac; $2 what that makes i
 launch() {
     root=$1 lib=$2 boot=$3 called=$4
     shift 4
-    exec "$home/bin/java" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto "-Xbootclasspath/a:$boot" \
-        "-Ddfra.root=$root" "-Ddfra.boot=$boot" "-Ddfra.lib=$lib" "-Ddfra.called=$called" \
-        -cp "$lib/*" org.dfra.app.Main "$@"
+    set -f # DFRA_OPTIONS is not quoted on purpose: options are separated by blanks, and no pattern in them names a file
+    # shellcheck disable=SC2086
+    exec "$home/bin/java" ${DFRA_OPTIONS:-} -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto \
+        "-Xbootclasspath/a:$boot" "-Ddfra.root=$root" "-Ddfra.boot=$boot" "-Ddfra.lib=$lib" "-Ddfra.called=$called" \
+        -cp "$lib/*${DFRA_CLASSPATH:+:$DFRA_CLASSPATH}" org.dfra.app.Main "$@"
 }

@@ -51,7 +51,7 @@ class DownloadJarTest {
         && !name.startsWith("org.dfra.river.");
   }
 
-  private static Path file() {
+  static Path file() {
     return Stream.of("target/dfra-river-dl.jar", "build/libs/dfra-river-dl.jar")
         .map(ROOT::resolve)
         .filter(Files::exists)

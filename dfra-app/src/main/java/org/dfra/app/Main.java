@@ -5,7 +5,11 @@ import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.completion.CompletionCommand;
 import org.dfra.app.demo.DemoCommand;
 import org.dfra.app.doctor.DoctorCommand;
+import org.dfra.app.event.EventCommand;
+import org.dfra.app.lease.LeaseCommand;
+import org.dfra.app.log.LogCommand;
 import org.dfra.app.module.ModuleCommand;
+import org.dfra.app.persona.PersonaCommand;
 import org.dfra.app.robot.DownCommand;
 import org.dfra.app.robot.StatusCommand;
 import org.dfra.app.robot.UpCommand;
@@ -31,6 +35,10 @@ import picocli.CommandLine.ScopeType;
       DownCommand.class,
       StatusCommand.class,
       ModuleCommand.class,
+      PersonaCommand.class,
+      EventCommand.class,
+      LeaseCommand.class,
+      LogCommand.class,
       DemoCommand.class,
       BenchCommand.class,
       DoctorCommand.class,
@@ -70,6 +78,7 @@ public final class Main {
     line.getCommandSpec()
         .usageMessage()
         .footer(ScriptVerbs.help()); // not for the verbs, which inherit
+    line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());
     return line;

@@ -16,6 +16,7 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
@@ -39,7 +40,7 @@ public final class DoctorCommand implements Callable<Integer> {
   /** A phoenix that does not answer on its own host within this time has been stopped, or hangs. */
   private static final Duration DEADLINE = Duration.ofSeconds(2);
 
-  private static final int CLASS_SERVER_PORT = 8085;
+  private static final int OF_PHOENIX = 2;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -81,10 +82,10 @@ public final class DoctorCommand implements Callable<Integer> {
     checks.add(FileDescriptorCheck.ofThisProcess());
     checks.add(HostCheck.ofThisComputer(team.wantedHost()));
     checks.add(new MulticastCheck(new JiniMulticast(), team.groups()));
-    checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
     checks.add(StateCheck.of(team.state()));
     checks.add(new PhoenixCheck(asked(phoenix)));
     try (TeamSurvey survey = TeamSurvey.open(team)) {
+      checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
       boolean isRobotUp = phoenix.pid().isPresent();
       checks.add(new RegistrarCheck(survey, team.namedLocators(), isRobotUp));
       checks.add(new ClockCheck(survey));
@@ -98,12 +99,25 @@ public final class DoctorCommand implements Callable<Integer> {
     }
   }
 
-  private static Map<Integer, String> ports(PhoenixProcess phoenix) {
+  /** The ports that phoenix and the robots of this host need, or else what they usually are. */
+  private Map<Integer, String> ports(PhoenixProcess phoenix) throws IOException {
     Map<Integer, String> uses = new LinkedHashMap<>();
     uses.put(phoenix.port(), "phoenix");
     uses.put(phoenix.registryPort(), "phoenix's RMI registry");
-    uses.put(RegistrarDescription.DISCOVERY_PORT, "a registrar");
-    uses.put(CLASS_SERVER_PORT, "a class server");
+    for (RobotDescription robot : team.knownRobots()) {
+      robot
+          .registrar()
+          .ifPresent(
+              registrar -> {
+                uses.put(registrar.port(), robot.name() + "'s registrar");
+                uses.put(registrar.classes(), robot.name() + "'s class server");
+              });
+    }
+    uses.remove(0); // one of the system's choice, or none
+    if (uses.size() == OF_PHOENIX) {
+      uses.put(RegistrarDescription.DISCOVERY_PORT, "a registrar");
+      uses.put(RegistrarDescription.CLASS_PORT, "a class server");
+    }
     return uses;
   }
 

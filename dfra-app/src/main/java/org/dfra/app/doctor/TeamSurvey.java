@@ -8,11 +8,9 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -62,12 +60,7 @@ final class TeamSurvey implements RegistrarCheck.Search, ClockCheck.Clocks, Auto
 
   /** Begins to look. */
   static TeamSurvey open(TeamOptions team) throws IOException {
-    Set<String> locators = new LinkedHashSet<>(team.locatorsOfKnownRobots());
-    locators.addAll(team.namedLocators());
-    return new TeamSurvey(
-        new JiniModuleDirectory(
-            HostAddress.resolve(team.wantedHost()), team.groups(), new ArrayList<>(locators)),
-        team.patience());
+    return new TeamSurvey(team.directory(), team.patience());
   }
 
   @Override

@@ -13,6 +13,7 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.call.CallbackHost;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
@@ -43,9 +44,10 @@ public final class TeamOptions {
 
   @Option(
       names = "--locator",
-      paramLabel = "HOST:PORT",
+      paramLabel = "HOST:PORT[,...]",
+      hideParamSyntax = true,
       split = ",",
-      description = "A registrar to ask by unicast (default: those of DFRA_LOCATORS).")
+      description = "Registrars to ask by unicast (default: those of DFRA_LOCATORS).")
   private String @Nullable [] locators;
 
   @Option(
@@ -80,15 +82,37 @@ public final class TeamOptions {
 
   /** Begins to look. */
   public Team open() throws IOException {
-    Duration patience = patience();
-    List<String> groups = groups();
-    Set<String> wanted = new LinkedHashSet<>(locatorsOfKnownRobots());
-    wanted.addAll(namedLocators());
-    return new Team(
-        new JiniModuleDirectory(HostAddress.resolve(wantedHost()), groups, new ArrayList<>(wanted)),
-        patience,
-        answer,
-        whatIsAsked(groups, wanted));
+    return new Team(directory(), patience(), answer, whatIsAsked(groups(), locators()));
+  }
+
+  /** A directory of the lookup services that are asked. */
+  public JiniModuleDirectory directory() throws IOException {
+    patience(); // refused before anything is begun
+    return new JiniModuleDirectory(here(), groups(), new ArrayList<>(locators()));
+  }
+
+  private Set<String> locators() throws IOException {
+    Set<String> all = new LinkedHashSet<>();
+    for (RobotDescription robot : knownRobots()) {
+      robot
+          .registrar()
+          .filter(registrar -> registrar.port() != 0)
+          .ifPresent(
+              registrar ->
+                  all.add("jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
+    }
+    all.addAll(namedLocators());
+    return all;
+  }
+
+  /** The address at which others call this computer back, modules as well as lookup services. */
+  private String here() {
+    String wanted = wantedHost();
+    String here = HostAddress.resolve(wanted);
+    if (!wanted.equals(HostAddress.AUTO)) {
+      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
+    }
+    return here;
   }
 
   /** How long answers are awaited. */
@@ -120,19 +144,9 @@ public final class TeamOptions {
     return PhoenixOptions.last(state(), PhoenixOptions.REGISTRY_PORT);
   }
 
-  /** The registrars of the robots that were brought up here, as {@code jini://host:port}. */
-  public List<String> locatorsOfKnownRobots() throws IOException {
-    List<String> known = new ArrayList<>();
-    for (RobotDescription robot : new KnownRobots(state()).all()) {
-      robot
-          .registrar()
-          .filter(registrar -> registrar.port() != 0)
-          .ifPresent(
-              registrar ->
-                  known.add(
-                      "jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
-    }
-    return known;
+  /** The robots that were brought up on this host. */
+  public List<RobotDescription> knownRobots() throws IOException {
+    return new KnownRobots(state()).all();
   }
 
   /** The registrars that were named by option or variable, as {@code jini://host:port}. */

@@ -11,6 +11,7 @@ import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import net.jini.activation.ActivationGroup;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.GroupClasses;
 import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -47,6 +48,7 @@ public final class GroupVm {
       in.close();
       redirectOutput();
       own(Path.of(System.getProperty(GroupProcess.LOCK)));
+      GroupClasses.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {
       end(NOT_TOLD, "Phoenix went away before it said which group to run.");
