@@ -58,7 +58,7 @@ dependencies {
     testImplementation(rootProject.libs.archunit)
 }
 
-tasks.test { dependsOn(":dfra-river:dlJar") }
+tasks.test { dependsOn(":dfra-river:dlJar", ":dfra-app:lib") }
 
 val app = project(":dfra-app")
 val appLib = app.layout.buildDirectory.dir("lib")
