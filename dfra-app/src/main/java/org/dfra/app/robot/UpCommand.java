@@ -72,6 +72,7 @@ public final class UpCommand implements Callable<Integer> {
     } else {
       say("Phoenix answers on port " + phoenix.port() + " of " + phoenix.host() + ".");
     }
+    options.noteProcess(phoenix);
     List<Up> services = new ArrayList<>();
     for (RobotDescription robot : robots) {
       RobotBootstrap bootstrap = new RobotBootstrap(phoenix, robot);

@@ -109,6 +109,13 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
+  /** The lookup services that are within reach now. */
+  public List<ServiceRegistrar> lookupServices() {
+    synchronized (watches) {
+      return watches.values().stream().map(RegistrarWatch::registrar).toList();
+    }
+  }
+
   /**
    * Waits until everything at hand has been looked at once: at every locator a lookup service was
    * found and what it holds was read. Multicast never says that everybody has answered, so with

@@ -7,6 +7,7 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
@@ -154,6 +155,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   @Override
   public void setLookupLocators(LookupLocator[] locators) {
     presence.join().discovery().setLocators(locators);
+  }
+
+  @Override
+  public Instant clock() {
+    return Instant.now();
   }
 
   @Override
