@@ -34,7 +34,8 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, help, module, status, test, up",
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, event, help,"
+            + " lease, log, module, persona, status, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra demo --help",
@@ -53,6 +54,23 @@ class CommandLineTest {
             + " | unknown option: '--frobnicate'; see: ./dfra module list --help",
         "module list --wait=-1"
             + " | --wait=-1.0 is not a number of seconds from 0 to 3600; see: ./dfra module list"
+            + " --help",
+        "persona | persona needs a verb; there is find, list, show",
+        "persona find | missing required parameter: 'QUERY'; see: ./dfra persona find --help",
+        "event echo gps --kind=loud"
+            + " | invalid value for option '--kind' (KIND[,...]): expected one of [READINESS, READING,"
+            + " PARAMETER, INCIDENT] (case-insensitive) but was 'loud'; see: ./dfra event echo --help",
+        "event echo gps --depth=0"
+            + " | depth 0 is outside 1 to 1024; see: ./dfra event echo --help",
+        "event echo gps --rate=0 | rate 0.0 Hz is not above 0; see: ./dfra event echo --help",
+        "event echo gps --count=0" + " | --count=0 is not 1 or more; see: ./dfra event echo --help",
+        "event hz gps --for=0"
+            + " | --for=0.0 is not a number of seconds above 0; see: ./dfra event hz --help",
+        "event bw gps --window=1"
+            + " | --window=1 is not a number from 2 to 100000; see: ./dfra event bw --help",
+        "log level gps loud"
+            + " | invalid value for positional parameter at index 1 (LEVEL): expected one of [TRACE,"
+            + " DEBUG, INFO, WARN, ERROR] (case-insensitive) but was 'loud'; see: ./dfra log level"
             + " --help",
         "up --registry-port=-2"
             + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra up --help",
@@ -80,7 +98,14 @@ class CommandLineTest {
         "help demo",
         "up --help",
         "module -h",
-        "module call --help"
+        "module call --help",
+        "persona find --help",
+        "event echo --help",
+        "event hz --help",
+        "event bw --help",
+        "lease list --help",
+        "lease revoke --help",
+        "log level --help"
       })
   void helpFitsATerminalAndNamesWhatThereIs(String asked) {
     assertThat(run(asked.split(" "))).isZero();

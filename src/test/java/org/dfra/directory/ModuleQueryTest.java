@@ -65,6 +65,6 @@ class ModuleQueryTest {
                 .within(50, new GeoPosition(1, 2, 3)))
         .hasToString(
             "GPSSensor on atrv1 with SensorAttributes.maxRate ≥ 1.0 and SensorAttributes.modes"
-                + " contains \"night\" within 50.0 m of 1.000000°, 2.000000°");
+                + " contains \"night\" within 50.0 m of 1.0°, 2.0°");
   }
 }

@@ -37,11 +37,13 @@ class ExamplesTest {
       Stream.of(
               "java.time.Duration",
               "java.util.List",
+              "org.dfra.core.query.*",
               "org.dfra.directory.*",
               "org.dfra.event.*",
               "org.dfra.flow.sensor.*",
               "org.dfra.geometry.GeoPosition",
               "org.dfra.lease.ModuleLease",
+              "org.dfra.module.Module",
               "org.dfra.persona.*",
               "org.dfra.river.filter.SerialFilters",
               "org.dfra.river.loading.*",

@@ -29,6 +29,7 @@ import org.dfra.river.loading.ClassServer;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters;
+import org.dfra.testing.TalkingProcess;
 
 /** What the test's processes do. Each says a line when it is ready and ends with its input. */
 final class Role {
@@ -167,7 +168,7 @@ final class Role {
   }
 
   private static void say(String line) {
-    System.out.println("said " + line);
+    System.out.println(TalkingProcess.SAID + line);
   }
 
   /** A class path of this one and what else. */

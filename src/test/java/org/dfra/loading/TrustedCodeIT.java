@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -18,7 +20,7 @@ class TrustedCodeIT {
   @TempDir private static Path shared;
   private static Path team;
   private static Path stranger;
-  private static RoleProcess registrar;
+  private static TalkingProcess registrar;
   private static String port;
 
   @TempDir private Path folder;
@@ -43,7 +45,7 @@ class TrustedCodeIT {
           multicastInterfaces = new java.net.NetworkInterface[] {};
         }
         """);
-    registrar = new RoleProcess(List.of(), List.of(), "registrar", configuration.toString());
+    registrar = role(List.of(), List.of(), "registrar", configuration.toString());
     port = registrar.awaitLine();
   }
 
@@ -57,15 +59,15 @@ class TrustedCodeIT {
   @Test
   void aKindTheClientHasNeverSeenIsUsedAndAfterItIsRebuiltTheNewOne() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "first"), team);
-    try (RoleProcess client = client()) {
+    try (TalkingProcess client = client()) {
       String classPort;
-      try (RoleProcess server = server(jar, "0", "honest")) {
+      try (TalkingProcess server = server(jar, "0", "honest")) {
         classPort = server.awaitLine();
         assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
         assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
       }
       jar = KindJar.sign(KindJar.lidar(folder, "second"), team);
-      try (RoleProcess server = server(jar, classPort, "honest")) {
+      try (TalkingProcess server = server(jar, classPort, "honest")) {
         assertThat(server.awaitLine()).as("the same port").isEqualTo(classPort);
         assertThat(client.ask(port)).isEqualTo("found [second, 3, atrv1/lidar, READY]");
       }
@@ -86,8 +88,8 @@ class TrustedCodeIT {
     if (!signer.equals("nobody")) {
       KindJar.sign(jar, signer.equals("team") ? team : stranger);
     }
-    try (RoleProcess server = server(jar, "0", lie);
-        RoleProcess client = client()) {
+    try (TalkingProcess server = server(jar, "0", lie);
+        TalkingProcess client = client()) {
       server.awaitLine();
       assertThat(client.ask(port))
           .startsWith("refused: ")
@@ -101,9 +103,8 @@ class TrustedCodeIT {
   @Test
   void aHostileRegistrarLoadsNothing() throws Exception {
     Path jar = KindJar.registrar(folder);
-    try (RoleProcess hostile =
-            new RoleProcess(List.of(jar), List.of(), "hostile", folder.toString());
-        RoleProcess client = client()) {
+    try (TalkingProcess hostile = role(List.of(jar), List.of(), "hostile", folder.toString());
+        TalkingProcess client = client()) {
       assertThat(client.ask(hostile.awaitLine()))
           .startsWith("refused: ")
           .contains("sample.evil.Registrar was not loaded: codebase httpmd://")
@@ -115,28 +116,36 @@ class TrustedCodeIT {
   @Test
   void theMarkerIsWrittenWhereTheCodeIsTrusted() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "trusted"), team);
-    try (RoleProcess server = server(jar, "0", "honest");
-        RoleProcess client = client()) {
+    try (TalkingProcess server = server(jar, "0", "honest");
+        TalkingProcess client = client()) {
       server.awaitLine();
       assertThat(client.ask(port)).startsWith("found [trusted");
       assertThat(marker()).as("so its absence elsewhere says something").exists();
     }
   }
 
-  private RoleProcess server(Path jar, String classPort, String lie) throws IOException {
-    return new RoleProcess(
+  private TalkingProcess server(Path jar, String classPort, String lie) throws IOException {
+    return role(
         List.of(jar), List.of(), "server", port, classPort, jar.getParent().toString(), lie);
   }
 
-  private RoleProcess client() throws Exception {
+  private TalkingProcess client() throws Exception {
     Path trust = folder.resolve("trust.properties");
     Files.writeString(
         trust, "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n");
-    RoleProcess client =
-        new RoleProcess(
-            List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
+    TalkingProcess client =
+        role(List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
     client.awaitLine();
     return client;
+  }
+
+  /** A process in a {@link Role}, with something on its class path besides the test's own. */
+  private static TalkingProcess role(List<Path> path, List<String> options, String... role)
+      throws IOException {
+    List<String> command = new ArrayList<>(TalkingProcess.java(Role.classPath(path), options));
+    command.add(Role.class.getName());
+    command.addAll(List.of(role));
+    return new TalkingProcess(command);
   }
 
   private Path marker() {

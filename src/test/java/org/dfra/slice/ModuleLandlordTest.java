@@ -23,13 +23,13 @@ import net.jini.lease.LeaseListener;
 import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.core.lease.LeaseBook;
-import org.dfra.core.lease.LeaseBook.Holder;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.time.Scheduler;
 import org.dfra.example.thermometer.RemoteThermometer;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.SuppliedConfiguration;
@@ -184,7 +184,8 @@ class ModuleLandlordTest {
   void takesItsTermsFromTheConfiguration() throws Exception {
     LeaseTerms strict = terms(500L, 100L);
     assertThat(strict).isEqualTo(new LeaseTerms(Duration.ofMillis(500), Duration.ofMillis(100)));
-    assertThatThrownBy(() -> book(strict).grant(Duration.ofMillis(501), Holder.CLIENT, () -> {}))
+    assertThatThrownBy(
+            () -> book(strict).grant(Duration.ofMillis(501), Holder.CLIENT, null, () -> {}))
         .hasMessageContaining("lease 0.501 s > longest allowed 0.5 s");
     assertThatThrownBy(() -> terms(0L, 0L))
         .isInstanceOf(ConfigurationException.class)

@@ -5,6 +5,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 
 /**
@@ -22,8 +26,14 @@ public final class TestHosts implements AutoCloseable {
 
   private static final String BRIDGE = "br0";
 
+  private static final String PREFIX = "dfra-";
+  private static final String SEPARATOR = "n"; // no digit to this radix
+  private static final int RADIX = 20;
+  private static final long PATIENCE_SECONDS = 10;
+  private static final AtomicInteger COUNT = new AtomicInteger();
+
   private final List<String> made = new ArrayList<>();
-  private final String tag = Long.toString(ProcessHandle.current().pid(), 36);
+  private final String tag;
 
   /**
    * Makes the two hosts and connects them.
@@ -31,6 +41,11 @@ public final class TestHosts implements AutoCloseable {
    * @throws IOException if the system refuses
    */
   public TestHosts() throws IOException, InterruptedException {
+    sweep();
+    tag =
+        Long.toString(ProcessHandle.current().pid(), RADIX)
+            + SEPARATOR
+            + Integer.toString(COUNT.incrementAndGet(), RADIX);
     try {
       make(theSwitch());
       inside(theSwitch(), "ip", "link", "add", BRIDGE, "type", "bridge", "mcast_snooping", "0");
@@ -87,11 +102,11 @@ public final class TestHosts implements AutoCloseable {
   }
 
   private String theSwitch() {
-    return "dfra-" + tag + "-switch";
+    return PREFIX + tag + "-switch";
   }
 
   private String name(int host) {
-    return "dfra-" + tag + "-" + host;
+    return PREFIX + tag + "-" + host;
   }
 
   /** An end of a host's cable: {@code a} at the host, {@code b} at the switch. */
@@ -101,24 +116,57 @@ public final class TestHosts implements AutoCloseable {
 
   private static void inside(String namespace, String... command)
       throws IOException, InterruptedException {
-    run(
-        Stream.concat(Stream.of("ip", "netns", "exec", namespace), Stream.of(command))
-            .toArray(String[]::new));
+    String unused =
+        run(
+            Stream.concat(Stream.of("ip", "netns", "exec", namespace), Stream.of(command))
+                .toArray(String[]::new));
   }
 
-  private static void run(String... command) throws IOException, InterruptedException {
+  /** Removes what a test left that was killed itself. */
+  private static void sweep() throws IOException, InterruptedException {
+    for (String line : run("ip", "netns", "list").split("\n")) {
+      String name = line.split(" ")[0];
+      int end = name.indexOf(SEPARATOR, PREFIX.length());
+      if (name.startsWith(PREFIX)
+          && end > 0
+          && ProcessHandle.of(Long.parseLong(name.substring(PREFIX.length(), end), RADIX))
+              .isEmpty()) {
+        remove(name);
+      }
+    }
+  }
+
+  private static void remove(String namespace) throws IOException, InterruptedException {
+    List<ProcessHandle> left =
+        run("ip", "netns", "pids", namespace)
+            .lines()
+            .flatMap(pid -> ProcessHandle.of(Long.parseLong(pid.strip())).stream())
+            .toList();
+    left.forEach(ProcessHandle::destroyForcibly);
+    for (ProcessHandle process : left) {
+      try {
+        process.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+      } catch (ExecutionException | TimeoutException e) {
+        throw new IOException("process " + process.pid() + " on a test's host does not end", e);
+      }
+    }
+    run("ip", "netns", "delete", namespace);
+  }
+
+  private static String run(String... command) throws IOException, InterruptedException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     if (process.waitFor() != 0) {
       throw new IOException(String.join(" ", command) + ": " + said.strip());
     }
+    return said;
   }
 
-  /** Removes the hosts; what still runs there must have been ended before. Idempotent. */
+  /** Ends what still runs on the hosts, with -9, and removes them. Idempotent. */
   @Override
   public void close() throws IOException, InterruptedException {
     for (String namespace : List.copyOf(made)) {
-      run("ip", "netns", "delete", namespace);
+      remove(namespace);
       made.remove(namespace);
     }
   }

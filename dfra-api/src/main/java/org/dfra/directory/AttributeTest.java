@@ -3,6 +3,7 @@ package org.dfra.directory;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dfra.persona.Attributes;
@@ -60,6 +61,20 @@ record AttributeTest(
       }
     }
     return false;
+  }
+
+  /** The reader follows from the other components. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof AttributeTest that
+        && type == that.type
+        && component.equals(that.component)
+        && condition.equals(that.condition);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(type, component, condition);
   }
 
   @Override

@@ -65,9 +65,27 @@ public sealed interface Condition {
               + value;
     }
 
+    /** Numbers are equal as numbers, here too. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+      if (!(other instanceof EqualTo that)) {
+        return false;
+      }
+      return value instanceof Number one && that.value instanceof Number another
+          ? Double.compare(one.doubleValue(), another.doubleValue()) == 0
+          : value.equals(that.value);
+    }
+
+    @Override
+    public int hashCode() {
+      return value instanceof Number number
+          ? Double.hashCode(number.doubleValue())
+          : value.hashCode();
+    }
+
     @Override
     public String toString() {
-      return "= " + value;
+      return "= " + QueryText.value(value);
     }
   }
 
@@ -125,7 +143,7 @@ public sealed interface Condition {
 
     @Override
     public String toString() {
-      return "contains \"" + text + "\"";
+      return "contains " + QueryText.quoted(text);
     }
   }
 

@@ -2,7 +2,7 @@ package org.dfra.directory;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dfra.geometry.GeoPosition;
@@ -32,7 +32,12 @@ public final class ModuleQuery<M extends Module> {
   private final List<AttributeTest> tests;
   private final @Nullable Circle circle;
 
-  private record Circle(double metres, GeoPosition centre) {}
+  /** Round a point whose height is 0, since height does not count. */
+  private record Circle(double metres, GeoPosition centre) {
+    Circle {
+      centre = new GeoPosition(centre.latitude(), centre.longitude(), 0);
+    }
+  }
 
   private ModuleQuery(
       Class<M> kind,
@@ -162,15 +167,33 @@ public final class ModuleQuery<M extends Module> {
         .isPresent();
   }
 
-  /** In words, as the end of "there is no …". */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ModuleQuery<?> query
+        && kind == query.kind
+        && Objects.equals(robot, query.robot)
+        && Objects.equals(name, query.name)
+        && tests.equals(query.tests)
+        && Objects.equals(circle, query.circle);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(kind, robot, name, tests, circle);
+  }
+
+  /**
+   * In words, as the end of "there is no …", and as {@code ./dfra persona find} and the query
+   * parser of dfra-core read them.
+   */
   @Override
   public String toString() {
     StringBuilder words = new StringBuilder(kind.getSimpleName());
     if (name != null) {
-      words.append(" named ").append(name);
+      words.append(" named ").append(QueryText.name(name));
     }
     if (robot != null) {
-      words.append(" on ").append(robot);
+      words.append(" on ").append(QueryText.name(robot));
     }
     String joint = " with ";
     for (AttributeTest test : tests) {
@@ -178,13 +201,9 @@ public final class ModuleQuery<M extends Module> {
       joint = " and ";
     }
     if (circle != null) {
-      words.append(
-          String.format(
-              Locale.ROOT,
-              " within %s m of %.6f°, %.6f°",
-              circle.metres(),
-              circle.centre().latitude(),
-              circle.centre().longitude()));
+      GeoPosition centre = circle.centre();
+      words.append(" within ").append(circle.metres()).append(" m of ");
+      words.append(centre.latitude()).append("°, ").append(centre.longitude()).append('°');
     }
     return words.toString();
   }

@@ -18,6 +18,12 @@ public interface Subscription extends AutoCloseable {
   /** Since when the module has not been reached, while that is so. */
   Optional<Instant> interruptedSince();
 
+  /**
+   * Whether it goes on, be it interrupted or not: it was not closed, no administrator has revoked
+   * its lease, and the module in this virtual machine has not ended.
+   */
+  boolean isOpen();
+
   /** Ends it. Nothing is delivered afterwards, except what is being delivered now. */
   @Override
   void close();

@@ -3,7 +3,11 @@ package org.dfra.app;
 import java.io.IOException;
 import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.demo.DemoCommand;
+import org.dfra.app.event.EventCommand;
+import org.dfra.app.lease.LeaseCommand;
+import org.dfra.app.log.LogCommand;
 import org.dfra.app.module.ModuleCommand;
+import org.dfra.app.persona.PersonaCommand;
 import org.dfra.app.robot.DownCommand;
 import org.dfra.app.robot.StatusCommand;
 import org.dfra.app.robot.UpCommand;
@@ -28,6 +32,10 @@ import picocli.CommandLine.ScopeType;
       DownCommand.class,
       StatusCommand.class,
       ModuleCommand.class,
+      PersonaCommand.class,
+      EventCommand.class,
+      LeaseCommand.class,
+      LogCommand.class,
       DemoCommand.class,
       BenchCommand.class,
       CommandLine.HelpCommand.class
@@ -66,6 +74,7 @@ public final class Main {
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
     line.getCommandSpec().usageMessage().footer(OF_SCRIPT); // not for the verbs, which inherit
+    line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());
     return line;

@@ -20,7 +20,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Benchmarks:",
-      "  distributed   lookup, queries, staleness and renewal traffic (about two minutes)"
+      "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
+      "  events        of these, the latency of events alone"
     })
 public final class BenchCommand implements Callable<Integer> {
 
@@ -28,6 +29,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   static {
     BENCHES.put("distributed", DistributedBench::new);
+    BENCHES.put("events", EventBench::new);
   }
 
   @Parameters(paramLabel = "NAME", description = "Which one.")

@@ -45,6 +45,7 @@ final class DistributedBench implements Bench {
     lookups(report);
     staleness(report);
     renewals(report);
+    new EventBench().run(report);
   }
 
   private static void register(ServiceRegistrar registrar, int modules) throws IOException {

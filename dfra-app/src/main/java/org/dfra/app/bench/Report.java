@@ -2,6 +2,7 @@ package org.dfra.app.bench;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -65,18 +66,20 @@ final class Report {
   void append(Path file, String bench) throws IOException {
     StringBuilder rows = new StringBuilder();
     if (!Files.exists(file)) {
-      rows.append("when,bench,java,cores,figure,measured,wanted_at_most,unit\n");
+      rows.append("when,bench,java,cores,load,figure,measured,wanted_at_most,unit\n");
     }
+    double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     Instant now = Instant.now().truncatedTo(ChronoUnit.SECONDS);
     for (Figure each : figures) {
       rows.append(
           String.format(
               Locale.ROOT,
-              "%s,%s,%s,%d,\"%s\",%.6g,%s,%s%n",
+              "%s,%s,%s,%d,%.1f,\"%s\",%.6g,%s,%s%n",
               now,
               bench,
               Runtime.version().feature(),
               Runtime.getRuntime().availableProcessors(),
+              load,
               each.what(),
               each.measured(),
               each.most() == Double.POSITIVE_INFINITY

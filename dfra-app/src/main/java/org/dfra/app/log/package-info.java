@@ -1,4 +1,6 @@
-/** The application's logging library, as the architecture sets its levels. */
+/**
+ * The application's logging library as the architecture sets its levels, and {@code ./dfra log}.
+ */
 @NullMarked
 package org.dfra.app.log;
 

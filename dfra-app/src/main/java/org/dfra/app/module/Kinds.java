@@ -40,7 +40,7 @@ public final class Kinds {
   }
 
   /** Every interface that is for clients, whether of modules or of what a module also is. */
-  static Set<Class<?>> interfaces(Module module) {
+  public static Set<Class<?>> interfaces(Module module) {
     Set<Class<?>> found = new LinkedHashSet<>();
     for (Class<?> type = module.getClass(); type != null; type = above(type)) {
       Arrays.stream(type.getInterfaces()).forEach(each -> collect(each, found));

@@ -2,15 +2,13 @@ package org.dfra.app.module;
 
 import java.util.Map;
 import java.util.concurrent.Callable;
-import net.jini.admin.Administrable;
+import org.dfra.app.team.Administration;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
-import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
-import org.dfra.river.remote.ModuleAdmin;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -37,12 +35,7 @@ final class StopCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     try (Team team = options.open()) {
       ModuleListing<Module> listing = module.in(team);
-      if (!(listing.module() instanceof Administrable administrable)
-          || !(administrable.getAdmin() instanceof ModuleAdmin admin)) {
-        throw new CommandFailure(
-            ExitCode.FAILED, listing.path() + " has no administration, so nobody can stop it");
-      }
-      admin.deactivate();
+      Administration.of(listing).deactivate();
       options
           .answer()
           .sentence(

@@ -11,6 +11,7 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.call.CallbackHost;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
@@ -41,9 +42,10 @@ public final class TeamOptions {
 
   @Option(
       names = "--locator",
-      paramLabel = "HOST:PORT",
+      paramLabel = "HOST:PORT[,...]",
+      hideParamSyntax = true,
       split = ",",
-      description = "A registrar to ask by unicast (default: those of DFRA_LOCATORS).")
+      description = "Registrars to ask by unicast (default: those of DFRA_LOCATORS).")
   private String @Nullable [] locators;
 
   @Option(
@@ -82,7 +84,11 @@ public final class TeamOptions {
       throw new ParameterException(
           spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
     }
-    String here = HostAddress.resolve(either(host, "DFRA_HOST", HostAddress.AUTO));
+    String wantedHost = either(host, "DFRA_HOST", HostAddress.AUTO);
+    String here = HostAddress.resolve(wantedHost);
+    if (!wantedHost.equals(HostAddress.AUTO)) {
+      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
+    }
     List<String> groups = words(either(team, "DFRA_TEAM", TEAM));
     Set<String> wanted = new LinkedHashSet<>();
     for (RobotDescription robot : new KnownRobots(state.folder()).all()) {

@@ -67,6 +67,20 @@ public final class Answer {
     out().flush();
   }
 
+  /**
+   * Gives a value: as JSON, or as lines.
+   *
+   * @param value what the lines tell, for programs
+   */
+  public void lines(Object value, List<String> lines) {
+    sentence(value, String.join(System.lineSeparator(), lines));
+  }
+
+  /** Whether somebody still reads the answer; nobody does where it goes to a pipe that closed. */
+  public boolean isRead() {
+    return !out().checkError() && !System.out.checkError(); // the first hides the second's errors
+  }
+
   /** Gives one of many values, on one line each. */
   public void line(Object value, String line) {
     out().println(json ? Json.line(value) : line);

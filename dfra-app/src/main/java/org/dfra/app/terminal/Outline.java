@@ -69,7 +69,8 @@ final class Outline {
     return true;
   }
 
-  private static String text(JsonNode value) {
+  /** A value in a few words. */
+  static String text(JsonNode value) {
     if (value.isNull() || value.isMissingNode()) {
       return "not known";
     } else if (value.isContainerNode()) {
@@ -91,7 +92,7 @@ final class Outline {
   }
 
   /** {@code maxRate} as {@code max rate}. */
-  private static String words(String name) {
+  static String words(String name) {
     return name.matches("[a-z]+(?:[A-Z][a-z0-9]+)+")
         ? name.replaceAll("([A-Z])", " $1").toLowerCase(Locale.ROOT)
         : name;

@@ -1,15 +1,22 @@
 package org.dfra.core.lease;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.IntConsumer;
 import org.dfra.core.time.Scheduler;
 import org.dfra.core.time.Scheduler.Task;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,14 +28,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class LeaseBook implements AutoCloseable {
 
-  /** What a holder is. */
-  public enum Holder {
-    /** Makes the module work. */
-    CLIENT,
-    /** Watches it, whether it works or not. */
-    WATCHER
-  }
-
   private final String module;
   private final LeaseTerms terms;
   private final InstantSource clock;
@@ -36,6 +35,7 @@ public final class LeaseBook implements AutoCloseable {
   private final IntConsumer clientsChanged;
 
   private final Map<UUID, Entry> entries = new HashMap<>(); // guarded by itself
+  private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
   private boolean closed; // guarded by entries
 
   /** Taken before {@link #entries}; keeps what is told in order. */
@@ -64,12 +64,16 @@ public final class LeaseBook implements AutoCloseable {
   /** One lease. */
   private static final class Entry {
     final Holder holder;
+    final @Nullable String host;
+    final Instant since;
     final Runnable whenOver;
-    long end; // guarded by entries
-    @Nullable Task expiry; // guarded by entries
+    long end; // guarded by entries; nothing where there is no expiry
+    @Nullable Task expiry; // guarded by entries; null where nobody need renew
 
-    Entry(Holder holder, Runnable whenOver) {
+    Entry(Holder holder, @Nullable String host, Instant since, Runnable whenOver) {
       this.holder = holder;
+      this.host = host;
+      this.since = since;
       this.whenOver = whenOver;
     }
   }
@@ -83,17 +87,19 @@ public final class LeaseBook implements AutoCloseable {
    * Grants a lease.
    *
    * @param asked how long
-   * @param whenOver run once when it has expired or this book is closed, not when it is cancelled
+   * @param host address of the holder, for those who ask who holds what; null where it is not known
+   * @param whenOver run once when it has expired, was revoked or this book is closed, not when it
+   *     is cancelled
    * @throws LeaseRefusedException if it is longer than allowed or not above zero, or the module has
    *     ended
    */
-  public Grant grant(Duration asked, Holder holder, Runnable whenOver)
+  public Grant grant(Duration asked, Holder holder, @Nullable String host, Runnable whenOver)
       throws LeaseRefusedException {
     terms.check(module, asked);
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = new Entry(holder, whenOver);
+      Entry entry = new Entry(holder, host, clock.instant(), whenOver);
       entries.put(id, entry);
       extend(id, entry, asked);
     }
@@ -110,7 +116,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      entries.put(id, new Entry(holder, whenOver));
+      entries.put(id, new Entry(holder, null, clock.instant(), whenOver));
     }
     tell();
     return id;
@@ -153,6 +159,67 @@ public final class LeaseBook implements AutoCloseable {
     }
     tell();
     return true;
+  }
+
+  /**
+   * Ends a lease before its time, against its holder's will.
+   *
+   * @return false if there is no such lease any more
+   */
+  public boolean revoke(UUID id) {
+    Entry entry;
+    synchronized (entries) {
+      entry = entries.remove(id);
+      if (entry == null) {
+        return false;
+      }
+      if (entry.expiry != null) {
+        entry.expiry.cancel();
+        remember(id);
+      }
+    }
+    tell();
+    entry.whenOver.run();
+    return true;
+  }
+
+  /** Long enough for whoever renews it to hear why that fails. */
+  private void remember(UUID id) {
+    revoked.add(id);
+    Task unused =
+        scheduler.after(
+            terms.longest().toNanos(),
+            () -> {
+              synchronized (entries) {
+                revoked.remove(id);
+              }
+            });
+  }
+
+  /** Whether there was such a lease, and it was revoked not longer ago than the longest lasts. */
+  public boolean isRevoked(UUID id) {
+    synchronized (entries) {
+      return revoked.contains(id);
+    }
+  }
+
+  /** Every lease there is now, the oldest first. */
+  public List<LeaseStatus> leases() {
+    synchronized (entries) {
+      return entries.entrySet().stream()
+          .map(each -> status(each.getKey(), each.getValue()))
+          .sorted(Comparator.comparing(LeaseStatus::since).thenComparing(LeaseStatus::id))
+          .toList();
+    }
+  }
+
+  private LeaseStatus status(UUID id, Entry entry) {
+    return new LeaseStatus(
+        id,
+        entry.holder,
+        entry.host,
+        entry.since,
+        entry.expiry == null ? null : Duration.ofNanos(Math.max(0, entry.end - scheduler.nanos())));
   }
 
   /** Whether there is such a lease. */

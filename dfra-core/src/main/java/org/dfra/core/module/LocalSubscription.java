@@ -3,6 +3,7 @@ package org.dfra.core.module;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.dfra.core.event.Tally;
 import org.dfra.event.Subscription;
 
@@ -10,11 +11,17 @@ import org.dfra.event.Subscription;
 final class LocalSubscription implements Subscription {
 
   private final Tally tally;
+  private final BooleanSupplier held;
   private final Runnable end;
   private final AtomicBoolean closed = new AtomicBoolean();
 
-  LocalSubscription(Tally tally, Runnable end) {
+  /**
+   * @param held whether the module still counts the listener
+   * @param end run once when it is closed
+   */
+  LocalSubscription(Tally tally, BooleanSupplier held, Runnable end) {
     this.tally = tally;
+    this.held = held;
     this.end = end;
   }
 
@@ -31,6 +38,11 @@ final class LocalSubscription implements Subscription {
   @Override
   public Optional<Instant> interruptedSince() {
     return Optional.empty();
+  }
+
+  @Override
+  public boolean isOpen() {
+    return !closed.get() && held.getAsBoolean();
   }
 
   @Override

@@ -21,6 +21,7 @@ import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.History;
@@ -324,13 +325,14 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     tally.begin(entry.numbers());
     @Nullable UUID lease;
     try {
-      lease = leases.hold(holder(policy), () -> {});
+      lease = leases.hold(holder(policy), () -> revoked(entry));
     } catch (LeaseRefusedException e) { // it has ended, and will not tell anything any more
       lease = null;
     }
     @Nullable UUID held = lease;
     return new LocalSubscription(
         tally,
+        () -> held != null && leases.holds(held),
         () -> {
           events.remove(entry);
           if (held != null) {
@@ -339,17 +341,22 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
         });
   }
 
+  /** A listener's lease was ended for it. Of the module's own end it still hears. */
+  private void revoked(EventHub.Entry entry) {
+    if (readiness() != Readiness.STOPPED) {
+      events.remove(entry);
+    }
+  }
+
   /** Who listens to readings is a client; who listens to anything else only watches. */
-  public static LeaseBook.Holder holder(DeliveryPolicy policy) {
-    return policy.kinds().contains(DeliveryPolicy.Kind.READING)
-        ? LeaseBook.Holder.CLIENT
-        : LeaseBook.Holder.WATCHER;
+  public static Holder holder(DeliveryPolicy policy) {
+    return policy.kinds().contains(DeliveryPolicy.Kind.READING) ? Holder.CLIENT : Holder.WATCHER;
   }
 
   @Override
   public final ModuleLease use(Duration duration) throws LeaseRefusedException {
     leases.terms().check(path(), duration);
-    return new LocalLease(leases, leases.hold(LeaseBook.Holder.CLIENT, () -> {}), duration, clock);
+    return new LocalLease(leases, leases.hold(Holder.CLIENT, () -> {}), duration, clock);
   }
 
   @Override

@@ -9,8 +9,9 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
-import org.dfra.core.lease.LeaseBook.Holder;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseStatus;
 import org.junit.jupiter.api.Test;
 
 class LeaseBookTest {
@@ -24,8 +25,9 @@ class LeaseBookTest {
 
   @Test
   void tellsTheFirstClientAndTheLast() throws Exception {
-    Grant first = book.grant(Duration.ofSeconds(10), Holder.CLIENT, () -> over.add("first"));
-    Grant second = book.grant(Duration.ofSeconds(20), Holder.CLIENT, () -> over.add("second"));
+    Grant first = book.grant(Duration.ofSeconds(10), Holder.CLIENT, null, () -> over.add("first"));
+    Grant second =
+        book.grant(Duration.ofSeconds(20), Holder.CLIENT, null, () -> over.add("second"));
     assertThat(first.expiration()).isEqualTo(Instant.EPOCH.plusSeconds(10));
     assertThat(book.cancel(second.id())).isTrue();
     assertThat(book.cancel(second.id())).isFalse();
@@ -37,7 +39,7 @@ class LeaseBookTest {
 
   @Test
   void endsALeaseExactlyWhenItsTimeIsUp() throws Exception {
-    Grant grant = book.grant(Duration.ofSeconds(10), Holder.CLIENT, () -> over.add("it"));
+    Grant grant = book.grant(Duration.ofSeconds(10), Holder.CLIENT, null, () -> over.add("it"));
     time.step(Duration.ofSeconds(9));
     assertThat(book.renew(grant.id(), Duration.ofSeconds(5))).isPresent();
     time.step(Duration.ofSeconds(5).minusNanos(1));
@@ -49,7 +51,8 @@ class LeaseBookTest {
 
   @Test
   void watchersAreNoClients() throws Exception {
-    Grant watching = book.grant(Duration.ofSeconds(5), Holder.WATCHER, () -> over.add("watcher"));
+    Grant watching =
+        book.grant(Duration.ofSeconds(5), Holder.WATCHER, null, () -> over.add("watcher"));
     assertThat(book.clients()).isZero();
     assertThat(book.holds(watching.id())).isTrue();
     time.step(Duration.ofSeconds(5));
@@ -71,12 +74,46 @@ class LeaseBookTest {
   }
 
   @Test
+  void tellsWhoHoldsWhat() throws Exception {
+    Grant far = book.grant(Duration.ofSeconds(10), Holder.WATCHER, "192.0.2.7", () -> {});
+    UUID near = book.hold(Holder.CLIENT, () -> {});
+    time.step(Duration.ofSeconds(4));
+    assertThat(book.leases())
+        .containsExactlyInAnyOrder(
+            new LeaseStatus(
+                far.id(), Holder.WATCHER, "192.0.2.7", Instant.EPOCH, Duration.ofSeconds(6)),
+            new LeaseStatus(near, Holder.CLIENT, null, Instant.EPOCH, null));
+    assertThat(book.cancel(near)).isTrue();
+    time.step(Duration.ofSeconds(6));
+    assertThat(book.leases()).isEmpty();
+  }
+
+  @Test
+  void aRevokedLeaseIsOverAndKnownAsRevokedWhileItsHolderMayAsk() throws Exception {
+    Grant grant =
+        book.grant(Duration.ofSeconds(10), Holder.CLIENT, "192.0.2.7", () -> over.add("it"));
+    UUID held = book.hold(Holder.CLIENT, () -> over.add("held"));
+    assertThat(book.revoke(grant.id())).isTrue();
+    assertThat(book.revoke(grant.id())).as("a second time").isFalse();
+    assertThat(book.revoke(held)).isTrue();
+    assertThat(over).containsExactly("it", "held");
+    assertThat(told).containsExactly(1, 2, 1, 0);
+    assertThat(book.renew(grant.id(), Duration.ofSeconds(1))).isEmpty();
+    assertThat(book.isRevoked(grant.id())).isTrue();
+    assertThat(book.isRevoked(held)).as("nobody renews it").isFalse();
+    time.step(LeaseTerms.USUAL.longest());
+    assertThat(book.isRevoked(grant.id())).isFalse();
+    assertThat(time.waiting()).isZero();
+  }
+
+  @Test
   void refusesTermsThatCannotBeKept() {
     assertThatThrownBy(() -> new LeaseTerms(Duration.ofSeconds(1), Duration.ofSeconds(2)))
         .hasMessage("usual lease 2 s is outside 0.001 s to the longest 1 s");
-    assertThatThrownBy(() -> book.grant(Duration.ofMillis(30_001), Holder.CLIENT, () -> {}))
+    assertThatThrownBy(() -> book.grant(Duration.ofMillis(30_001), Holder.CLIENT, null, () -> {}))
         .hasMessage("atrv1/gps: lease 30.001 s > longest allowed 30 s; ask for 30 s or less");
-    assertThatThrownBy(() -> book.grant(Duration.ofMillis(Long.MAX_VALUE), Holder.CLIENT, () -> {}))
+    assertThatThrownBy(
+            () -> book.grant(Duration.ofMillis(Long.MAX_VALUE), Holder.CLIENT, null, () -> {}))
         .hasMessage("atrv1/gps: lease for ever > longest allowed 30 s; ask for 30 s or less");
   }
 }

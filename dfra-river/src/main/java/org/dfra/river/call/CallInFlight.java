@@ -74,6 +74,11 @@ final class CallInFlight {
     return abandoned;
   }
 
+  /** Whether a connection was found for the call. */
+  synchronized boolean hasLeft() {
+    return request != null;
+  }
+
   /** Whether bytes of the call may have reached the server. */
   synchronized boolean mayHaveRun() {
     return request != null && request.getDeliveryStatus();

@@ -18,6 +18,7 @@ import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
+import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
@@ -27,13 +28,20 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>JERI waits for an answer for ever, and a peer that was stopped or drove out of radio range
  * closes no socket. Here the caller is free again when the deadline has passed, whatever the call
- * is blocked in, and learns whether it may have run.
+ * is blocked in, and learns whether it may have run. Where the deadline is longer than usual, a
+ * peer that cannot be connected to within the usual one is given up then.
  */
 public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
   private static final long serialVersionUID = 1L;
 
   private static final SilentPeers SILENT = new SilentPeers();
+
+  /**
+   * Who allows more for the answer, as an activator does that starts a virtual machine, allows no
+   * more for the way there.
+   */
+  private static final long CONNECTED_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
   /** How long an answer is awaited, in milliseconds. */
   private final long deadlineMillis;
@@ -75,7 +83,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     int held = SILENT.held(peer);
     if (held >= SilentPeers.LIMIT) {
       throw new DeadlineExceededException(
-          describe(method) + " was not tried: " + held + " calls to " + peer + " still hang");
+          describe(method) + " was not tried: " + held + " calls to " + name(peer) + " still hang");
     }
     CallInFlight call = new CallInFlight();
     FutureTask<@Nullable Object> answer =
@@ -88,21 +96,40 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       FutureTask<@Nullable Object> answer, CallInFlight call, Object peer, Method method)
       throws Throwable {
     try {
-      return answer.get(deadlineMillis, TimeUnit.MILLISECONDS);
+      return answer(answer, call);
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       throw cause instanceof Carried carried ? carried.getCause() : cause;
     } catch (TimeoutException e) {
       boolean mayHaveRun = call.mayHaveRun();
+      long awaited = call.hasLeft() ? deadlineMillis : Math.min(deadlineMillis, CONNECTED_MILLIS);
       giveUp(call, peer);
-      throw new DeadlineExceededException(
-          describe(method), Duration.ofMillis(deadlineMillis), mayHaveRun);
+      if (peer instanceof TcpEndpoint server) {
+        PeerSockets.doubt(server);
+      }
+      throw new DeadlineExceededException(describe(method), Duration.ofMillis(awaited), mayHaveRun);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       boolean mayHaveRun = call.mayHaveRun();
       giveUp(call, peer);
       throw new CallInterruptedException(describe(method), mayHaveRun);
     }
+  }
+
+  private @Nullable Object answer(FutureTask<@Nullable Object> answer, CallInFlight call)
+      throws ExecutionException, TimeoutException, InterruptedException {
+    long rest = deadlineMillis;
+    if (rest > CONNECTED_MILLIS) {
+      try {
+        return answer.get(CONNECTED_MILLIS, TimeUnit.MILLISECONDS);
+      } catch (TimeoutException e) {
+        if (!call.hasLeft()) {
+          throw e;
+        }
+        rest -= CONNECTED_MILLIS;
+      }
+    }
+    return answer.get(rest, TimeUnit.MILLISECONDS);
   }
 
   private static void giveUp(CallInFlight call, Object peer) {
@@ -152,8 +179,18 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint;
   }
 
+  private static String name(Object peer) {
+    return peer instanceof TcpEndpoint server
+        ? "TcpEndpoint[" + server.getHost() + ":" + server.getPort() + "]"
+        : peer.toString();
+  }
+
   private String describe(Method method) {
-    return method.getDeclaringClass().getSimpleName() + "." + method.getName() + " on " + peer();
+    return method.getDeclaringClass().getSimpleName()
+        + "."
+        + method.getName()
+        + " on "
+        + name(peer());
   }
 
   @Override

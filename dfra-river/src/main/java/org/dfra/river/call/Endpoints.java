@@ -5,7 +5,9 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
 import javax.net.ServerSocketFactory;
+import net.jini.jeri.Endpoint;
 import net.jini.jeri.ServerEndpoint;
+import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.jspecify.annotations.Nullable;
 
@@ -13,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * TCP endpoints that listen on one address only: the one that their proxies carry.
  *
  * <p>River's own listen on every interface, also on those that a robot's operator did not name.
+ * Their clients close connections that lead nowhere any more.
  */
 public final class Endpoints {
 
@@ -26,7 +29,17 @@ public final class Endpoints {
    * @throws IllegalArgumentException if the host is not known
    */
   public static ServerEndpoint tcp(String host, int port) {
-    return TcpServerEndpoint.getInstance(host, port, null, sockets(host));
+    return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), sockets(host));
+  }
+
+  /**
+   * The client's side of such an endpoint.
+   *
+   * @param host where it listens
+   * @param port its TCP port
+   */
+  public static Endpoint at(String host, int port) {
+    return TcpEndpoint.getInstance(host, port, new PeerSockets());
   }
 
   /**

@@ -5,6 +5,7 @@ import com.sun.jini.landlord.LandlordUtil;
 import com.sun.jini.landlord.LeaseFactory;
 import com.sun.jini.landlord.LocalLandlord;
 import java.rmi.RemoteException;
+import java.rmi.server.ServerNotActiveException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
@@ -15,13 +16,16 @@ import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
+import net.jini.export.ServerContext;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
+import net.jini.io.context.ClientHost;
 import org.dfra.core.lease.Grant;
 import org.dfra.core.lease.LeaseBook;
-import org.dfra.core.lease.LeaseBook.Holder;
 import org.dfra.core.lease.LeaseTerms;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -93,10 +97,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   }
 
   /**
-   * Grants a lease.
+   * Grants a lease, to the client whose remote call is under way on this thread.
    *
    * @param duration how long, in milliseconds; {@link Lease#ANY} for the module's choice
-   * @param whenOver run once when it has expired
+   * @param whenOver run once when it has expired or was revoked
    * @throws LeaseRefusedException if it is longer than allowed, not above zero, or the landlord is
    *     not started
    */
@@ -105,11 +109,22 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
-    Grant granted = book.grant(asked(duration), holder, whenOver);
+    Grant granted = book.grant(asked(duration), holder, clientHost(), whenOver);
     UUID id = granted.id();
     return open.newLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
         System.currentTimeMillis() + granted.duration().toMillis());
+  }
+
+  /** Where the call under way on this thread came from; null where its transport does not tell. */
+  private static @Nullable String clientHost() {
+    try {
+      return ServerContext.getServerContextElement(ClientHost.class) instanceof ClientHost client
+          ? client.getClientHost().getHostAddress()
+          : null;
+    } catch (ServerNotActiveException e) {
+      return null;
+    }
   }
 
   private Duration asked(long millis) {
@@ -118,6 +133,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   @Override
   public long renew(Uuid cookie, long duration) throws LeaseDeniedException, UnknownLeaseException {
+    if (book.isRevoked(id(cookie))) {
+      throw new LeaseRevokedException(module + ": an administrator has revoked this lease");
+    }
     try {
       Optional<Grant> granted = book.renew(id(cookie), asked(duration));
       return granted

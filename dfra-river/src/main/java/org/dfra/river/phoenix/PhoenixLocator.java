@@ -4,9 +4,9 @@ import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.jeri.BasicObjectEndpoint;
-import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
 
 /** Finds the phoenix of a host without a registry: its identity is fixed, its port is known. */
 public final class PhoenixLocator {
@@ -24,7 +24,7 @@ public final class PhoenixLocator {
   public static ActivationSystem system(String host, int port, Duration deadline) {
     return (ActivationSystem)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(TcpEndpoint.getInstance(host, port), Identities.SYSTEM, false),
+            new BasicObjectEndpoint(Endpoints.at(host, port), Identities.SYSTEM, false),
             deadline,
             PhoenixLocator.class.getClassLoader(),
             ActivationSystem.class,

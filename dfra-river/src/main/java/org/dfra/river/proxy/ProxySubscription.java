@@ -135,6 +135,11 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   }
 
   @Override
+  public boolean isOpen() {
+    return !tenure.isClosed();
+  }
+
+  @Override
   public void close() {
     tenure.close();
     queue.close();

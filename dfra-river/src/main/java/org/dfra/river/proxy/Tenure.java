@@ -14,6 +14,7 @@ import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.core.time.Scheduler;
 import org.dfra.core.time.Scheduler.Task;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,7 +26,8 @@ import org.slf4j.LoggerFactory;
  * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
  * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
  * the calls are made by threads that exist while a call is under way, so a silent server delays
- * nobody else's renewal. A tenure is kept alive by the timer; it ends when it is closed.
+ * nobody else's renewal. A tenure is kept alive by the timer; it ends when it is closed, or hears
+ * that its lease was revoked.
  */
 final class Tenure implements AutoCloseable {
 
@@ -103,11 +105,16 @@ final class Tenure implements AutoCloseable {
     return !closed && !isOver();
   }
 
+  /** Whether it has ended. */
+  synchronized boolean isClosed() {
+    return closed;
+  }
+
   private boolean isOver() {
     return lease.getExpiration() <= System.currentTimeMillis();
   }
 
-  /** Gives the lease back, in the background. Idempotent. */
+  /** Gives the lease back, in the background; see {@link LeaseReturns}. Idempotent. */
   @Override
   public synchronized void close() {
     if (!closed) {
@@ -116,7 +123,7 @@ final class Tenure implements AutoCloseable {
         next.cancel();
       }
       Lease last = lease;
-      CALLERS.execute(() -> giveBack(last));
+      LeaseReturns.run(CALLERS, () -> giveBack(last));
     }
   }
 
@@ -136,6 +143,8 @@ final class Tenure implements AutoCloseable {
         replace(registration.register());
       }
       reached();
+    } catch (LeaseRevokedException e) {
+      revoked(e);
     } catch (RemoteException | LeaseRefusedException | RuntimeException e) {
       missed(e);
     } finally {
@@ -145,10 +154,12 @@ final class Tenure implements AutoCloseable {
   }
 
   /** Renews the lease; false where it is certainly gone, or the server that granted it is. */
-  private boolean renewed(Lease held) throws RemoteException {
+  private boolean renewed(Lease held) throws RemoteException, LeaseRevokedException {
     try {
       held.renew(duration);
       return true;
+    } catch (LeaseRevokedException e) {
+      throw e;
     } catch (UnknownLeaseException
         | LeaseDeniedException
         | java.rmi.NoSuchObjectException
@@ -171,6 +182,13 @@ final class Tenure implements AutoCloseable {
       giveBack(fresh);
     } else {
       LOG.info("{}: registered anew", what);
+    }
+  }
+
+  private synchronized void revoked(LeaseRevokedException e) {
+    if (!closed) {
+      closed = true;
+      LOG.info("{}: ended: {}", what, e.getMessage());
     }
   }
 

@@ -50,6 +50,12 @@ public record LeasedSubscription(Lease lease, long epoch, List<Long> numbers)
     return Optional.empty();
   }
 
+  /** {@inheritDoc} As far as is known here. */
+  @Override
+  public boolean isOpen() {
+    return lease.getExpiration() > System.currentTimeMillis();
+  }
+
   /** {@inheritDoc} Where the server cannot be reached, it ends with its lease. */
   @Override
   public void close() {

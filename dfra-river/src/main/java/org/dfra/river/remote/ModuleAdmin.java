@@ -3,13 +3,31 @@ package org.dfra.river.remote;
 import com.sun.jini.admin.DestroyAdmin;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
+import java.util.List;
+import java.util.UUID;
 import net.jini.admin.JoinAdmin;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.module.Idempotent;
 
 /**
  * What administrators may do to a module while it runs: have it join other lookup services, add
- * entries to its own, and end it. A module's server gives it as its {@code getAdmin()}.
+ * entries to its own, see and revoke its leases, and end it. A module's server gives it as its
+ * {@code getAdmin()}.
  */
 public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
+
+  /** Every lease on the module, the oldest first. */
+  @Idempotent
+  List<LeaseStatus> leases() throws RemoteException;
+
+  /**
+   * Ends a lease before its time, against its holder's will. A holder elsewhere hears of it at its
+   * next renewal, within a second, and does not come back by itself; a listener is told nothing
+   * more at once.
+   *
+   * @return false if there is no such lease any more
+   */
+  boolean revoke(UUID lease) throws RemoteException;
 
   /**
    * Ends the module until it is called again: it leaves the lookup services, closes its device and

@@ -9,6 +9,7 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.activation.ActivationGroup;
@@ -16,6 +17,8 @@ import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.export.Exporter;
 import net.jini.lookup.entry.ServiceControlled;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.lease.LeaseStatus;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -33,6 +36,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
   private final ModulePresence presence;
+  private final LeaseBook leases;
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
   private final AutoCloseable server;
@@ -40,17 +44,20 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private @Nullable Remote stub; // guarded by this
 
   /**
+   * @param leases the leases on the module
    * @param id the server's activation ID; null where no activation system made it
    * @param serverExporter the exporter of the server
    * @param server closes the server
    */
   ModuleAdministration(
       ModulePresence presence,
+      LeaseBook leases,
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
       AutoCloseable server) {
     this.presence = presence;
+    this.leases = leases;
     this.id = id;
     this.serverExporter = serverExporter;
     this.server = server;
@@ -147,6 +154,20 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   @Override
   public void setLookupLocators(LookupLocator[] locators) {
     presence.join().discovery().setLocators(locators);
+  }
+
+  @Override
+  public List<LeaseStatus> leases() {
+    return leases.leases();
+  }
+
+  @Override
+  public boolean revoke(UUID lease) {
+    boolean ended = leases.revoke(lease);
+    if (ended) {
+      LOG.info("An administrator has revoked lease {}.", lease);
+    }
+    return ended;
   }
 
   @Override

@@ -24,7 +24,6 @@ import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.directory.SelfDescription;
-import org.dfra.core.lease.LeaseBook.Holder;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
@@ -33,6 +32,7 @@ import org.dfra.core.time.Scheduler;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
+import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.History;
@@ -130,7 +130,8 @@ public abstract class ModuleServer<M extends Module>
               configuration);
       undo.push(presence);
       this.administration =
-          new ModuleAdministration(presence, activation.host(), id, exporter, this);
+          new ModuleAdministration(
+              presence, driver.leases(), activation.host(), id, exporter, this);
       undo.push(administration);
     } catch (Exception e) {
       ConfigurationException fault = placed(description, e);

@@ -15,6 +15,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -24,12 +25,13 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.BasicObjectEndpoint;
-import net.jini.jeri.tcp.TcpEndpoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -166,6 +168,31 @@ class DeadlineTest {
   }
 
   @Test
+  void peerThatAnswersSlowlyIsAwaitedLongerThanOneThatCannotBeReached() throws Exception {
+    Duration deadline = Duration.ofMinutes(2); // as for an activation, which starts a process
+    ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    open.add(mute);
+    long began = System.nanoTime();
+    assertThatExceptionOfType(DeadlineExceededException.class)
+        .isThrownBy(() -> proxy(mute.getLocalPort(), deadline.toMillis()).echo("x"))
+        .withMessageContaining("got no answer within 2000 ms; it has not run");
+    assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(deadline.dividedBy(2));
+
+    Service slow = export(deadline.toMillis());
+    Future<?> call =
+        threads.submit(
+            () -> {
+              slow.block();
+              return null;
+            });
+    blocked.await();
+    assertThatExceptionOfType(TimeoutException.class)
+        .isThrownBy(() -> call.get(3, TimeUnit.SECONDS));
+    release.countDown();
+    assertThat(call.get()).isNull();
+  }
+
+  @Test
   void peerThatTakesNoConnectionIsReportedInTimeAndItsThreadsAreBounded() throws Exception {
     // A listener whose queue is full: the operating system drops further connections unanswered.
     ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
@@ -180,20 +207,63 @@ class DeadlineTest {
             return null;
           });
     }
-    Service service = proxy(full.getLocalPort(), 200);
-    int refused = 0;
-    for (int i = 0; i < SilentPeers.LIMIT + 4; i++) {
+    Service service = proxy(full.getLocalPort(), 20);
+    boolean refused = false;
+    for (int i = 0; i < 200 && !refused; i++) { // each holds its thread until connecting fails
       long began = System.nanoTime();
       try {
         service.echo("x");
       } catch (DeadlineExceededException e) {
         assertThat(e.mayHaveRun()).isFalse();
-        refused += e.getMessage().contains("was not tried") ? 1 : 0;
+        refused = e.getMessage().contains("was not tried");
       }
       assertThat((System.nanoTime() - began) / 1_000_000).as("ms of call %s", i).isLessThan(1200);
     }
-    assertThat(refused).as("calls that were not even tried").isGreaterThanOrEqualTo(1);
+    assertThat(refused).as("a call was not even tried").isTrue();
     assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
+  }
+
+  @Test
+  void connectionToAHostThatTakesNoMoreOfThemIsClosedAfterTheDeadline() throws Exception {
+    try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      Future<?> call = threads.submit(() -> assertNotRun(proxy(server.getLocalPort(), 1500)));
+      try (Socket connection = server.accept()) {
+        fill(server);
+        call.get();
+        connection.setSoTimeout(30_000);
+        assertThat(connection.getInputStream().readAllBytes())
+            .as("what came before the client closed it")
+            .isNotEmpty();
+      }
+    }
+  }
+
+  @Test
+  void connectionToAProcessThatIsOnlySlowIsLeftAlone() throws Exception {
+    try (ServerSocket server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
+      Future<?> call = threads.submit(() -> assertNotRun(proxy(server.getLocalPort(), 200)));
+      try (Socket connection = server.accept();
+          Socket knock = server.accept()) {
+        call.get();
+        assertThat(knock.getInputStream().read()).as("nothing is said").isEqualTo(-1);
+        connection.setSoTimeout(500);
+        assertThatExceptionOfType(SocketTimeoutException.class)
+            .isThrownBy(() -> connection.getInputStream().readAllBytes());
+      }
+    }
+  }
+
+  /** Until the operating system takes no further connections for the server. */
+  private void fill(ServerSocket server) throws IOException {
+    while (true) {
+      Socket waiting = new Socket();
+      open.add(waiting);
+      try {
+        waiting.connect(server.getLocalSocketAddress(), 300);
+      } catch (SocketTimeoutException e) {
+        return;
+      }
+    }
   }
 
   private static void assertNotRun(Service service) {
@@ -209,8 +279,7 @@ class DeadlineTest {
   private static Service proxy(int port, long deadlineMillis) {
     return (Service)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                TcpEndpoint.getInstance("127.0.0.1", port), UuidFactory.generate(), false),
+            new BasicObjectEndpoint(Endpoints.at("127.0.0.1", port), UuidFactory.generate(), false),
             Duration.ofMillis(deadlineMillis),
             DeadlineTest.class.getClassLoader(),
             Service.class,

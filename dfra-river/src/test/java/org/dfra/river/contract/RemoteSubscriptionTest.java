@@ -17,12 +17,16 @@ import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseStatus;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.proxy.GPSProxy;
+import org.dfra.river.proxy.LeaseReturns;
+import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteGPSSensor;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.river.server.GPSServer;
@@ -103,6 +107,52 @@ class RemoteSubscriptionTest {
     assertThat(gps().readiness()).isEqualTo(Readiness.READY);
     assertThat(unrenewed.isLive()).isFalse();
     assertThat(exporter.unexport(true)).isTrue();
+  }
+
+  @Test
+  void aRevokedHolderHearsOfItAndDoesNotComeBack() throws Exception {
+    server.set(Served.serve(UUID.randomUUID(), null, null));
+    GPSProxy proxy = proxy();
+    ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
+    Ear ear = new Ear();
+    try (Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
+        ModuleLease lease = proxy.use(Duration.ofSeconds(30))) {
+      gps().solve(1);
+      ear.await(1);
+      assertThat(admin.leases())
+          .hasSize(2)
+          .allSatisfy(
+              each -> {
+                assertThat(each.holder()).isEqualTo(Holder.CLIENT);
+                assertThat(each.host()).isEqualTo("127.0.0.1");
+                assertThat(each.remaining()).isBetween(Duration.ZERO, Duration.ofSeconds(30));
+              });
+      for (LeaseStatus each : admin.leases()) {
+        assertThat(admin.revoke(each.id())).isTrue();
+        assertThat(admin.revoke(each.id())).as("a second time").isFalse();
+      }
+      assertThat(gps().events().entries()).as("told nothing more at once").isEmpty();
+      gps().solve(2);
+
+      await().atMost(BACK).until(() -> !subscription.isOpen() && !lease.isLive());
+      assertThat(admin.leases()).as("nobody came back").isEmpty();
+      assertThat(gps().readiness()).isEqualTo(Readiness.READY);
+      assertThat(ear.latitudes()).containsExactly(1.0);
+    }
+  }
+
+  @Test
+  void aProgramCanWaitUntilItsLeasesAreGivenBack() throws Exception {
+    server.set(Served.serve(UUID.randomUUID(), null, null));
+    GPSProxy proxy = proxy();
+    Subscription subscription = proxy.subscribe(new Ear(), DeliveryPolicy.latestReading());
+    ModuleLease lease = proxy.use(Duration.ofSeconds(30));
+    assertThat(gps().leases().clients()).isEqualTo(2);
+    subscription.close();
+    lease.close();
+    assertThat(LeaseReturns.await(BACK)).isTrue();
+    assertThat(gps().leases().clients()).isZero();
+    assertThat(subscription.isOpen()).isFalse();
   }
 
   @Test

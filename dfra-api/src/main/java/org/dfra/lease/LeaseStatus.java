@@ -1,0 +1,35 @@
+package org.dfra.lease;
+
+import java.io.Serializable;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Objects;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A lease as its module sees it.
+ *
+ * @param id what administrators name it by
+ * @param holder what its holder is
+ * @param host address from which it was asked for; null where that is not known, and where the
+ *     holder lives in the module's own virtual machine
+ * @param since when it was granted, by the module's clock
+ * @param remaining for how long it still lasts unless it is renewed; null where it need not be,
+ *     since the holder lives in the module's own virtual machine
+ */
+public record LeaseStatus(
+    UUID id, Holder holder, @Nullable String host, Instant since, @Nullable Duration remaining)
+    implements Serializable {
+
+  public LeaseStatus {
+    Objects.requireNonNull(id, "id");
+    Objects.requireNonNull(holder, "holder");
+    Objects.requireNonNull(since, "since");
+  }
+
+  /** Whether the holder lives in the module's own virtual machine. */
+  public boolean isLocal() {
+    return remaining == null;
+  }
+}

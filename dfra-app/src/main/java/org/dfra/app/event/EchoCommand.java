@@ -1,0 +1,91 @@
+package org.dfra.app.event;
+
+import java.time.Duration;
+import java.util.EnumSet;
+import java.util.concurrent.Callable;
+import org.dfra.app.event.Listening.Ear;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code ./dfra event echo}. */
+@Command(
+    name = "echo",
+    description = "Shows a module's events as they come, a line each.",
+    footer = {
+      "",
+      "Ends with --count, --for or Ctrl-C. Who listens to readings is a client of the",
+      "module and makes it work; who listens to other kinds only, watches it.",
+      "With --json, one JSON object a line."
+    })
+final class EchoCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ListeningOptions listening;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      description = "Events per second at the most; the module keeps the newest meanwhile.")
+  private double rate = Double.POSITIVE_INFINITY;
+
+  @Option(
+      names = "--depth",
+      paramLabel = "N",
+      description = "Events kept while the terminal is busy (default ${DEFAULT-VALUE}).")
+  private int depth = 64;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    long count = listening.count();
+    Duration time = listening.time();
+    DeliveryPolicy policy = listening.policy(EnumSet.allOf(Kind.class), depth, rate);
+    Lines lines = new Lines();
+    try (Team team = options.open();
+        Listening open = new Listening(module.in(team), lines, count)) {
+      long lost = open.run(policy, time);
+      options
+          .answer()
+          .remark(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");
+    }
+    return ExitCode.WELL;
+  }
+
+  /** Writes a line for each event. */
+  private final class Lines implements Ear {
+
+    private volatile long shown;
+    private long lostBefore;
+
+    @Override
+    @SuppressWarnings("NonAtomicVolatileUpdate") // events come one at a time
+    public boolean hear(Delivery delivery, long lost) {
+      EventLine line = EventLine.of(delivery, lost - lostBefore);
+      lostBefore = lost;
+      options.answer().line(line, line.inWords());
+      shown++;
+      return options.answer().isRead();
+    }
+
+    @Override
+    public boolean tick(long lost) {
+      return options.answer().isRead();
+    }
+  }
+}

@@ -1,0 +1,12 @@
+package org.dfra.app.event;
+
+import picocli.CommandLine.Command;
+
+/** {@code ./dfra event}: what modules tell. */
+@Command(
+    name = "event",
+    description = "Listens to a module: what it tells, how often, and how much of it.",
+    synopsisSubcommandLabel = "VERB",
+    commandListHeading = "%nVerbs:%n",
+    subcommands = {EchoCommand.class, HzCommand.class, BwCommand.class})
+public final class EventCommand {}

@@ -1,0 +1,74 @@
+package org.dfra.app.event;
+
+import java.time.Instant;
+import java.util.Locale;
+import org.dfra.app.terminal.Inline;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent;
+
+/**
+ * An event as a program is told of it.
+ *
+ * @param module the module's path, {@code robot/name}
+ * @param time when the module published it, by its own clock
+ * @param kind its kind
+ * @param sequence its number among those of its kind
+ * @param epoch counts the module's lives
+ * @param lost events lost before this one, since the last that was told
+ * @param type what it is: the type of the reading, or of the event
+ * @param event what happened: the reading itself, or the event
+ */
+record EventLine(
+    String module,
+    Instant time,
+    Kind kind,
+    long sequence,
+    long epoch,
+    long lost,
+    String type,
+    Object event) {
+
+  static EventLine of(Delivery delivery, long lost) {
+    Object event =
+        delivery.event() instanceof ModuleEvent.NewReading reading
+            ? reading.reading()
+            : delivery.event();
+    return new EventLine(
+        delivery.module(),
+        delivery.published(),
+        delivery.kind(),
+        delivery.sequence(),
+        delivery.epoch(),
+        lost,
+        event.getClass().getSimpleName(),
+        event);
+  }
+
+  /** The same for people. */
+  String inWords() {
+    return String.format(
+            Locale.ROOT,
+            "%tFT%<tT.%<tLZ  %-9s  #%d  %s",
+            time.atOffset(java.time.ZoneOffset.UTC),
+            kind.name().toLowerCase(Locale.ROOT),
+            sequence,
+            what())
+        + (lost == 0 ? "" : "  (" + lost + " lost before)");
+  }
+
+  private String what() {
+    if (event instanceof ModuleEvent.ReadinessChanged change) {
+      return word(change.from()) + " -> " + word(change.to());
+    } else if (event instanceof ModuleEvent.ParameterChanged parameter) {
+      return parameter.name() + " is now " + parameter.text();
+    } else if (event instanceof ModuleEvent.IncidentNoted noted) {
+      return word(noted.incident().kind()) + ": " + noted.incident().what();
+    }
+    return type + " " + Inline.of(event);
+  }
+
+  private static String word(Enum<?> constant) {
+    return constant.name().toLowerCase(Locale.ROOT);
+  }
+}

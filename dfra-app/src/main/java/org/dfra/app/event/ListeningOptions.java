@@ -1,0 +1,72 @@
+package org.dfra.app.event;
+
+import java.time.Duration;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.Spec.Target;
+
+/** To which events a command listens, and for how long. A picocli mix-in. */
+final class ListeningOptions {
+
+  private static final double LONGEST_SECONDS = 1e9; // 30 years, and no overflow in nanoseconds
+
+  @Option(
+      names = "--kind",
+      paramLabel = "KIND[,...]",
+      hideParamSyntax = true,
+      split = ",",
+      description = "Only these kinds of events: ${COMPLETION-CANDIDATES}.")
+  private Kind @Nullable [] kinds;
+
+  @Option(names = "--count", paramLabel = "N", description = "End after so many events.")
+  private long count = Long.MAX_VALUE;
+
+  @Option(names = "--for", paramLabel = "SECONDS", description = "End after this time.")
+  private double seconds = LONGEST_SECONDS;
+
+  @Spec(Target.MIXEE)
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** How many events are enough. */
+  long count() {
+    if (count < 1) {
+      throw wrong("--count=" + count + " is not 1 or more");
+    }
+    return count;
+  }
+
+  /** How long is long enough. */
+  Duration time() {
+    if (!(seconds > 0 && seconds <= LONGEST_SECONDS)) {
+      throw wrong("--for=" + seconds + " is not a number of seconds above 0");
+    }
+    return Duration.ofNanos((long) (seconds * 1e9));
+  }
+
+  /**
+   * What the listener can take.
+   *
+   * @param usual the kinds of events where the user has named none
+   */
+  DeliveryPolicy policy(Set<Kind> usual, int depth, double highestRate) {
+    Set<Kind> wanted = kinds == null ? usual : EnumSet.copyOf(List.of(kinds));
+    try {
+      return new DeliveryPolicy(wanted, depth, highestRate);
+    } catch (IllegalArgumentException e) {
+      throw wrong(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private ParameterException wrong(String sentence) {
+    return new ParameterException(spec.commandLine(), sentence);
+  }
+}

@@ -1,0 +1,12 @@
+package org.dfra.app.lease;
+
+import picocli.CommandLine.Command;
+
+/** {@code ./dfra lease}: who holds which module. */
+@Command(
+    name = "lease",
+    description = "Tells who holds leases on the team's modules, and revokes them.",
+    synopsisSubcommandLabel = "VERB",
+    commandListHeading = "%nVerbs:%n",
+    subcommands = {ListCommand.class, RevokeCommand.class})
+public final class LeaseCommand {}

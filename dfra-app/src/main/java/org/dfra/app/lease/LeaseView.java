@@ -1,0 +1,54 @@
+package org.dfra.app.lease;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.UUID;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseStatus;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A lease on a module; the components as in {@link LeaseStatus}.
+ *
+ * @param module the module's path, {@code robot/name}
+ * @param local whether its holder lives in the module's own virtual machine
+ */
+record LeaseView(
+    String module,
+    UUID id,
+    Holder holder,
+    boolean local,
+    @Nullable String host,
+    Instant since,
+    @Nullable Duration remaining) {
+
+  static LeaseView of(String module, LeaseStatus lease) {
+    return new LeaseView(
+        module,
+        lease.id(),
+        lease.holder(),
+        lease.isLocal(),
+        lease.host(),
+        lease.since(),
+        lease.remaining());
+  }
+
+  /** Enough of its name to tell it from others. */
+  String shortId() {
+    return id.toString().substring(0, id.toString().indexOf('-'));
+  }
+
+  String hostInWords() {
+    if (local) {
+      return "its own JVM";
+    }
+    return host == null ? "not known" : host;
+  }
+
+  String endInWords() {
+    if (remaining == null) {
+      return "with the module";
+    }
+    return "in " + Math.max(0, Math.round(remaining.toMillis() / 1e3)) + " s";
+  }
+}

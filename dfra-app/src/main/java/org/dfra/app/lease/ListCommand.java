@@ -1,0 +1,96 @@
+package org.dfra.app.lease;
+
+import java.rmi.RemoteException;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.Administration;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra lease list}. */
+@Command(
+    name = "list",
+    description = "Lists who holds leases on a module, or on all of the team's.",
+    footer = {
+      "",
+      "Clients make a module work, watchers only watch it. A lease expires unless its",
+      "holder renews it; one held in the module's own JVM lasts as long as the module."
+    })
+final class ListCommand implements Callable<Integer> {
+
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "ROBOT/MODULE",
+      description = "Only those on this module.")
+  private @Nullable String module;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      List<LeaseView> leases = new ArrayList<>();
+      int silent = 0;
+      for (ModuleListing<Module> each : asked(team)) {
+        try {
+          for (LeaseStatus lease : Administration.of(each).leases()) {
+            leases.add(LeaseView.of(each.path(), lease));
+          }
+        } catch (RemoteException e) {
+          if (module != null) {
+            throw e;
+          }
+          silent++;
+          options.answer().remark(each.path() + " does not answer: " + e.getMessage());
+        }
+      }
+      show(leases);
+      return silent == 0 ? ExitCode.WELL : ExitCode.NO_ANSWER;
+    }
+  }
+
+  private List<ModuleListing<Module>> asked(Team team) throws InterruptedException {
+    if (module != null) {
+      return List.of(team.module(module));
+    }
+    return team.surveyed().find(ModuleQuery.of(Module.class)).stream()
+        .sorted(Comparator.comparing(ModuleListing<Module>::path))
+        .toList();
+  }
+
+  private void show(List<LeaseView> leases) {
+    Table table = new Table("MODULE", "HOLDER", "HOST", "SINCE", "EXPIRES", "LEASE");
+    for (LeaseView each : leases) {
+      table.row(
+          each.module(),
+          each.holder().name().toLowerCase(Locale.ROOT),
+          each.hostInWords(),
+          each.since().truncatedTo(ChronoUnit.SECONDS).toString(),
+          each.endInWords(),
+          each.shortId());
+    }
+    options
+        .answer()
+        .table(
+            leases,
+            table,
+            module == null ? "Nobody holds a lease." : "Nobody holds a lease on " + module + ".");
+  }
+}

@@ -1,0 +1,5 @@
+/** The verbs of {@code ./dfra lease}: who holds which module. */
+@NullMarked
+package org.dfra.app.lease;
+
+import org.jspecify.annotations.NullMarked;

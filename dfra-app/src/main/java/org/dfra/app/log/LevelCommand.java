@@ -1,0 +1,63 @@
+package org.dfra.app.log;
+
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
+import org.dfra.module.LogLevel;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra log level}. */
+@Command(
+    name = "level",
+    description = "Tells how much a module writes to its log, or sets it from now on.",
+    footer = {"", "A level that was set lasts until the module's group is started anew."})
+final class LevelCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "LEVEL",
+      description = "One of ${COMPLETION-CANDIDATES}; each includes those after it.")
+  private @Nullable LogLevel level;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      ModuleListing<Module> listing = module.in(team);
+      if (level != null) {
+        listing.module().setLogLevel(level);
+      }
+      LogLevel now = listing.module().logLevel();
+      options
+          .answer()
+          .sentence(
+              Map.of("module", listing.path(), "level", now),
+              listing.path() + " logs " + inWords(now) + ".");
+      return ExitCode.WELL;
+    }
+  }
+
+  private static String inWords(LogLevel level) {
+    return switch (level) {
+      case TRACE -> "everything (TRACE)";
+      case ERROR -> "errors only (ERROR)";
+      default -> level + " and above";
+    };
+  }
+}

@@ -1,0 +1,75 @@
+package org.dfra.app.persona;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.dfra.app.module.Kinds;
+import org.dfra.app.module.ModuleTable;
+import org.dfra.app.module.ModuleView;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.query.QueryParser;
+import org.dfra.core.query.QuerySyntaxException;
+import org.dfra.core.query.QueryVocabulary;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.Module;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra persona find}. */
+@Command(
+    name = "find",
+    description = "Finds modules by what they can do, the best first; ends with 3 where none is.",
+    footer = {
+      "",
+      "For example:",
+      "  'GPSSensor'",
+      "  'GPSSensor named gps_front on atrv1'",
+      "  'LocationSensor with sensor.maxRate >= 1 and module.state = ready'",
+      "  'GPSSensor with gps_receiver.fixModes contains \"3D\"'",
+      "  'Sensor with sensor.power from 0 to 5 within 50 m of 27.98, -82.45'",
+      "",
+      "The language: docs/how-to/find-and-watch-modules.md"
+    })
+final class FindCommand implements Callable<Integer> {
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "QUERY",
+      description = "A kind of module and conditions, in quotation marks.")
+  private List<String> words = List.of();
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Override
+  public Integer call() throws Exception {
+    try (Team team = options.open()) {
+      ModuleDirectory directory = team.surveyed();
+      ModuleQuery<? extends Module> query = query(directory);
+      List<ModuleView> found = directory.find(query).stream().map(ModuleView::of).toList();
+      ModuleTable.show(options.answer(), found, "There is no " + query + ".");
+      return found.isEmpty() ? ExitCode.NOT_FOUND : ExitCode.WELL;
+    }
+  }
+
+  private ModuleQuery<? extends Module> query(ModuleDirectory directory) {
+    Set<Class<?>> seen = new LinkedHashSet<>();
+    for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
+      seen.addAll(Kinds.interfaces(each.module()));
+      each.attributes().forEach(attributes -> seen.add(attributes.getClass()));
+    }
+    try {
+      return new QueryParser(QueryVocabulary.usual().with(seen)).parse(String.join(" ", words));
+    } catch (QuerySyntaxException e) {
+      throw new CommandFailure(ExitCode.WRONG_USE, "in the query, " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,12 @@
+package org.dfra.app.persona;
+
+import picocli.CommandLine.Command;
+
+/** {@code ./dfra persona}: what the team's robots show of themselves. */
+@Command(
+    name = "persona",
+    description = "Shows the team's robots, and finds modules by what they can do.",
+    synopsisSubcommandLabel = "VERB",
+    commandListHeading = "%nVerbs:%n",
+    subcommands = {ListCommand.class, ShowCommand.class, FindCommand.class})
+public final class PersonaCommand {}

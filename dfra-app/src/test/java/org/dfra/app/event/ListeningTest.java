@@ -1,0 +1,139 @@
+package org.dfra.app.event;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent;
+import org.dfra.module.Incident;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class ListeningTest {
+
+  private static final Duration LONG = Duration.ofSeconds(50);
+
+  private final Talker talker = new Talker();
+
+  ListeningTest() {
+    talker.start();
+  }
+
+  @AfterEach
+  void end() {
+    talker.close();
+  }
+
+  /** Remembers what it hears, and wants so many. */
+  private static final class Ear implements Listening.Ear {
+    final List<Delivery> heard = new CopyOnWriteArrayList<>();
+    final int wanted;
+
+    Ear(int wanted) {
+      this.wanted = wanted;
+    }
+
+    @Override
+    public boolean hear(Delivery delivery, long lost) {
+      heard.add(delivery);
+      return heard.size() < wanted;
+    }
+
+    @Override
+    public boolean tick(long lost) {
+      return true;
+    }
+  }
+
+  private CompletableFuture<Long> listen(Ear ear, long count, Duration time) {
+    CompletableFuture<Long> run =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try (Listening listening = new Listening(talker.listing(), ear, count)) {
+                return listening.run(DeliveryPolicy.keepLast(100).only(Kind.READING), time);
+              } catch (java.rmi.RemoteException | InterruptedException e) {
+                throw new IllegalStateException(e);
+              }
+            },
+            task -> new Thread(task, "listening").start());
+    await().until(() -> run.isDone() || talker.leases().clients() == 1);
+    return run;
+  }
+
+  @Test
+  void endsAfterSoManyEventsAndGivesItsLeaseBack() throws Exception {
+    Ear ear = new Ear(Integer.MAX_VALUE);
+    CompletableFuture<Long> run = listen(ear, 2, LONG);
+    for (int i = 0; i < 5; i++) {
+      talker.say(i);
+    }
+    assertThat(run.get()).isZero();
+    assertThat(ear.heard).hasSize(2);
+    assertThat(talker.leases().clients()).isZero();
+    assertThat(talker.events().entries()).isEmpty();
+  }
+
+  @Test
+  void endsWhenNobodyWantsMore() throws Exception {
+    Ear ear = new Ear(1);
+    CompletableFuture<Long> run = listen(ear, Long.MAX_VALUE, LONG);
+    talker.say(1);
+    assertThat(run.get()).isZero();
+    assertThat(ear.heard).hasSize(1);
+  }
+
+  @Test
+  void endsWhenTheTimeIsOver() throws Exception {
+    assertThat(listen(new Ear(1), 1, Duration.ofMillis(50)).get()).isZero();
+    assertThat(talker.leases().clients()).isZero();
+  }
+
+  @Test
+  void saysSoWhenItsLeaseIsRevoked() {
+    CompletableFuture<Long> run = listen(new Ear(1), 1, LONG);
+    assertThat(talker.leases().revoke(talker.leases().leases().get(0).id())).isTrue();
+    assertThat(talker.events().entries()).as("it is told nothing more").isEmpty();
+    assertThatThrownBy(run::get)
+        .isInstanceOf(ExecutionException.class)
+        .cause()
+        .isInstanceOf(CommandFailure.class)
+        .hasMessage("atrv1/talker tells no more: an administrator has revoked the lease");
+  }
+
+  @Test
+  void eventsAreToldOnALine() {
+    assertThat(words(new ModuleEvent.NewReading(new Talker.Word(Instant.EPOCH, 0.5)), 0))
+        .isEqualTo(
+            "2026-11-21T12:58:04.123Z  reading    #7  Word measured 1970-01-01T00:00:00Z, loudness"
+                + " 0.5");
+    assertThat(words(new ModuleEvent.ReadinessChanged(Readiness.READY, Readiness.ACTIVE), 3))
+        .isEqualTo("2026-11-21T12:58:04.123Z  readiness  #7  ready -> active  (3 lost before)");
+    assertThat(words(new ModuleEvent.ParameterChanged("rate", "5"), 0)).endsWith("rate is now 5");
+    assertThat(
+            words(
+                new ModuleEvent.IncidentNoted(
+                    new Incident(Instant.EPOCH, Incident.Kind.FAILURE, "its cable was cut")),
+                0))
+        .endsWith("incident   #7  failure: its cable was cut");
+  }
+
+  private static String words(ModuleEvent event, long lost) {
+    Delivery delivery =
+        new Delivery("atrv1/talker", 1, 7, 0, Instant.parse("2026-11-21T12:58:04.123456Z"), event);
+    assertThat(EventLine.of(delivery, lost).kind()).isEqualTo(Kind.of(event));
+    return EventLine.of(delivery, lost).inWords();
+  }
+}

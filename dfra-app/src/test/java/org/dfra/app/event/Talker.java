@@ -1,0 +1,58 @@
+package org.dfra.app.event;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.directory.Locality;
+import org.dfra.directory.ModuleListing;
+import org.dfra.event.Reading;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+
+/** A module that tells what the test wants to be told. */
+final class Talker extends ModuleImpl {
+
+  /** What it tells. */
+  record Word(Instant measured, double loudness) implements Reading {}
+
+  Talker() {
+    super(
+        new ModuleContext(
+            "atrv1",
+            "talker",
+            Parameters.of("atrv1/talker", Map.of()),
+            InstantSource.fixed(Instant.EPOCH)),
+        "a talker",
+        "DFRA",
+        "1");
+  }
+
+  void say(double loudness) {
+    tell(new Word(Instant.EPOCH, loudness));
+  }
+
+  ModuleListing<Module> listing() {
+    return new ModuleListing<>(
+        UUID.randomUUID(),
+        this,
+        "atrv1",
+        "talker",
+        List.of(),
+        Locality.SAME_VM,
+        false,
+        Instant.EPOCH);
+  }
+
+  @Override
+  protected void onStart() {
+    become(Readiness.READY);
+  }
+
+  @Override
+  protected void onClose() {}
+}

@@ -1,0 +1,46 @@
+package org.dfra.app.lease;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.UUID;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseStatus;
+import org.junit.jupiter.api.Test;
+
+class LeaseViewTest {
+
+  private static final UUID ID = UUID.fromString("7f73df46-0000-4000-8000-000000000000");
+
+  @Test
+  void tellsWhoHoldsItAndForHowLong() {
+    LeaseView far =
+        LeaseView.of(
+            "atrv1/gps",
+            new LeaseStatus(
+                ID, Holder.CLIENT, "192.0.2.7", Instant.EPOCH, Duration.ofMillis(8600)));
+    assertThat(far.shortId()).isEqualTo("7f73df46");
+    assertThat(far.hostInWords()).isEqualTo("192.0.2.7");
+    assertThat(far.endInWords()).isEqualTo("in 9 s");
+    assertThat(far.local()).isFalse();
+  }
+
+  @Test
+  void tellsWhoLivesWithTheModule() {
+    LeaseView near =
+        LeaseView.of("atrv1/gps", new LeaseStatus(ID, Holder.WATCHER, null, Instant.EPOCH, null));
+    assertThat(near.hostInWords()).isEqualTo("its own JVM");
+    assertThat(near.endInWords()).isEqualTo("with the module");
+    assertThat(near.local()).isTrue();
+  }
+
+  @Test
+  void admitsThatTheHostIsNotKnown() {
+    LeaseView somewhere =
+        LeaseView.of(
+            "atrv1/gps",
+            new LeaseStatus(ID, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(1)));
+    assertThat(somewhere.hostInWords()).isEqualTo("not known");
+  }
+}

@@ -1,0 +1,183 @@
+package org.dfra.core.query;
+
+import java.lang.reflect.RecordComponent;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.query.Token.Sort;
+import org.dfra.directory.Condition;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+
+/**
+ * Reads a {@link ModuleQuery} from words. What {@link ModuleQuery#toString} writes is read as the
+ * same query.
+ *
+ * <pre>
+ *   query      = kind { [ "and" ] clause }
+ *   clause     = "named" name | "on" robot | "with" test { "and" test }
+ *              | "within" number ( "m" | "km" ) "of" latitude "," longitude
+ *   test       = attributes "." component comparison
+ *   comparison = "&gt;=" number | "&lt;=" number | "=" value | "from" number "to" number
+ *              | "contains" text
+ * </pre>
+ *
+ * <p>Each clause but {@code with} stands once at the most, in any order. Texts may stand in
+ * quotation marks, in which {@code \} protects the next character; single words need none. Degrees
+ * are WGS84, north and east are +, or {@code N}, {@code S}, {@code E} or {@code W} follows.
+ */
+public final class QueryParser {
+
+  private static final List<String> CLAUSES = List.of("named", "on", "with", "within");
+  private static final double METRES_PER_KILOMETRE = 1000;
+
+  private final QueryVocabulary vocabulary;
+
+  /**
+   * @param vocabulary the names it knows
+   */
+  public QueryParser(QueryVocabulary vocabulary) {
+    this.vocabulary = vocabulary;
+  }
+
+  /**
+   * Reads a query.
+   *
+   * @throws QuerySyntaxException if it is none; the message says where
+   */
+  public ModuleQuery<? extends Module> parse(String text) {
+    return new Run(Token.of(text)).query();
+  }
+
+  /** One query under way. */
+  private final class Run {
+
+    private final Tokens tokens;
+    private final Set<String> said = new HashSet<>();
+
+    Run(List<Token> tokens) {
+      this.tokens = new Tokens(tokens);
+    }
+
+    ModuleQuery<? extends Module> query() {
+      ModuleQuery<? extends Module> query =
+          ModuleQuery.of(vocabulary.kind(tokens.name("a kind of module, such as GPSSensor")));
+      while (tokens.peek().sort() != Sort.END) {
+        query = clause(query);
+      }
+      return query;
+    }
+
+    private ModuleQuery<? extends Module> clause(ModuleQuery<? extends Module> query) {
+      Token first = tokens.next();
+      if (first.is("and")) {
+        if (said.contains("with") && !CLAUSES.contains(tokens.peek().text())) {
+          return test(query);
+        }
+        first = tokens.next();
+      }
+      if (first.sort() != Sort.WORD || !CLAUSES.contains(first.text())) {
+        throw new QuerySyntaxException(
+            first,
+            first.shown()
+                + " begins no condition"
+                + NearestName.hint(
+                    first.text(), CLAUSES, "; go on with named, on, with or within"));
+      }
+      if (!said.add(first.text()) && !first.is("with")) {
+        throw new QuerySyntaxException(
+            first, "\"" + first.text() + "\" stands here a second time; leave one out");
+      }
+      return switch (first.text()) {
+        case "named" -> query.name(tokens.name("the module's name").text());
+        case "on" -> query.robot(tokens.name("the robot's name").text());
+        case "with" -> test(query);
+        default -> circle(query);
+      };
+    }
+
+    private ModuleQuery<? extends Module> test(ModuleQuery<? extends Module> query) {
+      Token attribute = tokens.name("an attribute, such as Sensor.maxRate");
+      int dot = attribute.text().lastIndexOf('.');
+      if (dot <= 0) {
+        throw new QuerySyntaxException(
+            attribute,
+            attribute.shown() + " is no attribute; write one with a dot, such as Sensor.maxRate");
+      }
+      Class<? extends Attributes> type =
+          vocabulary.attributes(attribute, attribute.text().substring(0, dot));
+      RecordComponent component =
+          QueryVocabulary.component(attribute, type, attribute.text().substring(dot + 1));
+      Token sign = tokens.peek();
+      try {
+        return query.where(type, component.getName(), comparison(component));
+      } catch (QuerySyntaxException e) {
+        throw e;
+      } catch (IllegalArgumentException e) {
+        throw new QuerySyntaxException(sign, String.valueOf(e.getMessage()));
+      }
+    }
+
+    private Condition comparison(RecordComponent component) {
+      Token sign = tokens.next();
+      return switch (sign.text()) {
+        case ">=", "≥" -> Condition.atLeast(tokens.number());
+        case "<=", "≤" -> Condition.atMost(tokens.number());
+        case "=", "==" -> Condition.equalTo(new QueryValues(tokens).read(component));
+        case "contains" -> Condition.contains(tokens.name("a text").text());
+        case "from" -> {
+          double least = tokens.number();
+          tokens.expect("to");
+          yield Condition.between(least, tokens.number());
+        }
+        default ->
+            throw new QuerySyntaxException(
+                sign,
+                sign.shown()
+                    + " compares nothing; write >=, <=, =, from … to or contains after "
+                    + component.getDeclaringRecord().getSimpleName()
+                    + "."
+                    + component.getName());
+      };
+    }
+
+    private ModuleQuery<? extends Module> circle(ModuleQuery<? extends Module> query) {
+      Token at = tokens.peek();
+      double metres = distance();
+      tokens.expect("of");
+      double latitude = tokens.degrees("N", "S");
+      boolean unused = tokens.skip(",");
+      double longitude = tokens.degrees("E", "W");
+      try {
+        return query.within(metres, new GeoPosition(latitude, longitude, 0));
+      } catch (IllegalArgumentException e) {
+        throw new QuerySyntaxException(at, String.valueOf(e.getMessage()));
+      }
+    }
+
+    /** In metres: {@code 50 m}, {@code 50m} or {@code 0.05 km}. */
+    private double distance() {
+      Token token = tokens.peek();
+      String text = token.text();
+      if (token.sort() == Sort.WORD && text.matches("[+-]?[0-9.]+k?m")) {
+        boolean isKilometres = text.endsWith("km");
+        Token unused = tokens.next();
+        return tokens.number(
+                new Token(
+                    Sort.WORD,
+                    text.substring(0, text.length() - (isKilometres ? 2 : 1)),
+                    token.position()))
+            * (isKilometres ? METRES_PER_KILOMETRE : 1);
+      }
+      double number = tokens.number();
+      if (tokens.skip("km")) {
+        return number * METRES_PER_KILOMETRE;
+      }
+      tokens.expect("m");
+      return number;
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package org.dfra.core.query;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A piece of a query.
+ *
+ * @param text what it says; without its quotation marks where it has any
+ * @param position its first character in the query, from 1 on
+ */
+record Token(Sort sort, String text, int position) {
+
+  enum Sort {
+    /** Letters, digits and what names and numbers consist of besides. */
+    WORD,
+    /** A text in quotation marks. */
+    TEXT,
+    /** A sign, such as {@code >=}. */
+    SIGN,
+    /** There is no more. */
+    END
+  }
+
+  private static final String SIGNS = "=<>≤≥!,[]°";
+  private static final Set<String> DOUBLE_SIGNS = Set.of(">=", "<=", "==", "!=");
+
+  /** Where it stands, as the beginning of a sentence. */
+  String place() {
+    return sort == Sort.END ? "at the end" : "at character " + position;
+  }
+
+  boolean is(String other) {
+    return (sort == Sort.WORD || sort == Sort.SIGN) && text.equals(other);
+  }
+
+  /** As it is shown to people. */
+  String shown() {
+    return sort == Sort.END ? "the end" : '"' + text + '"';
+  }
+
+  /**
+   * The pieces of a query, the last of which is its end.
+   *
+   * @throws QuerySyntaxException if a quotation mark is not closed
+   */
+  static List<Token> of(String query) {
+    List<Token> tokens = new ArrayList<>();
+    int at = 0;
+    while (at < query.length()) {
+      char c = query.charAt(at);
+      int next = at + 1;
+      if (c == '"') {
+        StringBuilder text = new StringBuilder();
+        next = quoted(query, at, text);
+        tokens.add(new Token(Sort.TEXT, text.toString(), at + 1));
+      } else if (SIGNS.indexOf(c) >= 0) {
+        if (next < query.length() && DOUBLE_SIGNS.contains(query.substring(at, at + 2))) {
+          next++;
+        }
+        tokens.add(new Token(Sort.SIGN, query.substring(at, next), at + 1));
+      } else if (!Character.isWhitespace(c)) {
+        while (next < query.length() && isOfAWord(query.charAt(next))) {
+          next++;
+        }
+        tokens.add(new Token(Sort.WORD, query.substring(at, next), at + 1));
+      }
+      at = next;
+    }
+    tokens.add(new Token(Sort.END, "", query.length() + 1));
+    return tokens;
+  }
+
+  private static boolean isOfAWord(char c) {
+    return !Character.isWhitespace(c) && c != '"' && SIGNS.indexOf(c) < 0;
+  }
+
+  /** Reads a text in quotation marks; returns where it goes on. */
+  private static int quoted(String query, int from, StringBuilder text) {
+    for (int at = from + 1; at < query.length(); at++) {
+      char c = query.charAt(at);
+      if (c == '"') {
+        return at + 1;
+      }
+      if (c == '\\' && at + 1 < query.length()) {
+        at++;
+        c = query.charAt(at);
+      }
+      text.append(c);
+    }
+    throw new QuerySyntaxException(
+        new Token(Sort.TEXT, "", from + 1), "the quotation mark is never closed; write \"…\"");
+  }
+}

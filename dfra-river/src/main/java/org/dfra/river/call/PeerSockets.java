@@ -1,0 +1,173 @@
+package org.dfra.river.call;
+
+import java.io.IOException;
+import java.io.Serializable;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketAddress;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import javax.net.SocketFactory;
+import net.jini.jeri.tcp.TcpEndpoint;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A client's sockets to servers, those closed that lead nowhere.
+ *
+ * <p>TCP repeats what was not acknowledged at longer and longer intervals, up to minutes. After a
+ * robot was out of radio range for a minute, a connection from before may need another one to come
+ * back, and JERI sends every call over it as long as it is open. So where a call has met its
+ * deadline, its server's host is {@linkplain #doubt knocked at} with a new connection. If the host
+ * does not take it, all connections to that server are closed, and the next call begins with a new
+ * one. A host takes it also for a process that is slow or stopped, so calls that such a process may
+ * still answer are left alone.
+ *
+ * <p>Connecting itself is given up after the usual deadline of a call.
+ */
+final class PeerSockets extends SocketFactory implements Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final Logger LOG = LoggerFactory.getLogger(PeerSockets.class);
+
+  private static final int CONNECT_MILLIS =
+      Math.toIntExact(DeadlineILFactory.DEFAULT_DEADLINE.toMillis());
+  private static final int KNOCK_MILLIS = 1000;
+
+  /** What a stopped process does not take off the operating system's hands piles up there. */
+  private static final long KNOCK_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+  private static final Set<Connected> OPEN = ConcurrentHashMap.newKeySet();
+  private static final ConcurrentHashMap<TcpEndpoint, Long> KNOCKED = new ConcurrentHashMap<>();
+
+  /** Finds out whether a server's host is there, in the background; see the class. */
+  static void doubt(TcpEndpoint server) {
+    if (!(server.getSocketFactory() instanceof PeerSockets)) {
+      return;
+    }
+    long now = System.nanoTime();
+    KNOCKED.values().removeIf(at -> now - at > KNOCK_AGAIN_NANOS);
+    if (KNOCKED.putIfAbsent(server, now) == null) {
+      CallThreads.run(new FutureTask<>(() -> knock(server), null));
+    }
+  }
+
+  private static void knock(TcpEndpoint server) {
+    try (Socket socket = new Socket()) {
+      socket.connect(new InetSocketAddress(server.getHost(), server.getPort()), KNOCK_MILLIS);
+    } catch (IOException e) {
+      List<Connected> dead = OPEN.stream().filter(each -> each.isTo(server)).toList();
+      dead.forEach(Connected::abandon);
+      if (!dead.isEmpty()) {
+        LOG.info(
+            "{}:{} is out of reach ({}); {} closed, to begin anew when it is back.",
+            server.getHost(),
+            server.getPort(),
+            e.getMessage(),
+            dead.size() == 1 ? "1 connection is" : dead.size() + " connections are");
+      }
+    }
+  }
+
+  @Override
+  public Socket createSocket() {
+    return new Connected();
+  }
+
+  @Override
+  public Socket createSocket(String host, int port) throws IOException {
+    return connected(new InetSocketAddress(host, port), null);
+  }
+
+  @Override
+  public Socket createSocket(InetAddress host, int port) throws IOException {
+    return connected(new InetSocketAddress(host, port), null);
+  }
+
+  @Override
+  public Socket createSocket(String host, int port, InetAddress from, int fromPort)
+      throws IOException {
+    return connected(new InetSocketAddress(host, port), new InetSocketAddress(from, fromPort));
+  }
+
+  @Override
+  public Socket createSocket(InetAddress host, int port, InetAddress from, int fromPort)
+      throws IOException {
+    return connected(new InetSocketAddress(host, port), new InetSocketAddress(from, fromPort));
+  }
+
+  private static Socket connected(InetSocketAddress to, @Nullable InetSocketAddress from)
+      throws IOException {
+    Connected socket = new Connected();
+    try {
+      socket.bind(from);
+      socket.connect(to);
+      return socket;
+    } catch (IOException e) {
+      socket.abandon();
+      throw e;
+    }
+  }
+
+  /** All are equal, since endpoints are told apart by their factories. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof PeerSockets;
+  }
+
+  @Override
+  public int hashCode() {
+    return PeerSockets.class.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "PeerSockets";
+  }
+
+  /** One connection. */
+  private static final class Connected extends Socket {
+
+    private volatile @Nullable InetSocketAddress peer;
+
+    @Override
+    public void connect(SocketAddress to) throws IOException {
+      connect(to, 0);
+    }
+
+    @Override
+    public void connect(SocketAddress to, int millis) throws IOException {
+      super.connect(to, millis == 0 ? CONNECT_MILLIS : Math.min(millis, CONNECT_MILLIS));
+      peer = (InetSocketAddress) to;
+      OPEN.add(this);
+    }
+
+    boolean isTo(TcpEndpoint server) {
+      InetSocketAddress known = peer;
+      return known != null
+          && known.getPort() == server.getPort()
+          && (known.getHostString().equals(server.getHost())
+              || known.getAddress().getHostAddress().equals(server.getHost()));
+    }
+
+    void abandon() {
+      try {
+        close();
+      } catch (IOException e) {
+        LOG.debug("A connection to {} was not closed in order.", peer, e);
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      OPEN.remove(this);
+      super.close();
+    }
+  }
+}

@@ -1,0 +1,224 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.M12Emulator;
+import org.dfra.sim.device.M12Settings;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code ./dfra persona}, {@code event}, {@code lease} and {@code log} with a robot that runs. */
+@Timeout(240)
+class TalkVerbsIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final String GPS = "zeta/gps_front";
+
+  @TempDir Path folder;
+
+  private M12Emulator receiver;
+  private MarkedProcesses processes;
+
+  /** Runs what goes on while {@link #processes} runs something else. */
+  private MarkedProcesses beside;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    receiver =
+        new M12Emulator(
+            M12Settings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200), Instant::now);
+    receiver.start();
+    processes = new MarkedProcesses(folder);
+    beside = new MarkedProcesses(Files.createDirectory(folder.resolve("beside")));
+    Path xml = folder.resolve("robot.xml");
+    Files.writeString(
+        xml,
+        """
+        <robot xmlns="urn:dfra:robot:1" name="zeta" host="127.0.0.1">
+          <persona role="scout"><goal>Map the field.</goal></persona>
+          <group name="lookup"><registrar port="%d"/></group>
+          <group name="gps">
+            <module name="gps_front" server="org.dfra.river.server.GPSServer"
+                proxy="org.dfra.river.proxy.GPSProxy"
+                driver="org.dfra.drivers.gps.m12.M12PlusImpl">
+              <parameter name="link" value="%s"/>
+            </module>
+          </group>
+        </robot>
+        """
+            .formatted(freePort(), receiver.url()));
+    Outcome up =
+        processes.dfra(
+            PATIENCE, "up", xml.toString(), "--port=" + freePort(), "--registry-port=-1", state());
+    assertThat(up.exit()).as(up.out() + up.err()).isZero();
+    await().atMost(PATIENCE).until(() -> !said("module", "list").contains("initializing"));
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    try {
+      Outcome down = processes.dfra(PATIENCE, "down", state());
+      assertThat(down.exit()).as(down.out() + down.err()).isZero();
+    } finally {
+      beside.close();
+      processes.close();
+      receiver.close();
+    }
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+      return socket.getLocalPort();
+    }
+  }
+
+  private String state() {
+    return "--state=" + folder.resolve("state");
+  }
+
+  private String[] asked(String... words) {
+    return Stream.concat(
+            Arrays.stream(words), Stream.of("--team=", "--host=127.0.0.1", "--wait=20", state()))
+        .toArray(String[]::new);
+  }
+
+  private Outcome ask(String... words) throws Exception {
+    return processes.dfra(PATIENCE, asked(words));
+  }
+
+  private String said(String... words) throws Exception {
+    Outcome outcome = ask(words);
+    assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
+    return outcome.out();
+  }
+
+  private CompletableFuture<Outcome> askBeside(String... words) {
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try {
+            return beside.dfra(PATIENCE, asked(words));
+          } catch (Exception e) {
+            throw new IllegalStateException(e);
+          }
+        },
+        task -> new Thread(task, "beside").start());
+  }
+
+  @Test
+  void robotsAreShownAndFoundByWhatTheyCanDo() throws Exception {
+    assertThat(said("persona", "list").lines().map(line -> line.replaceAll(" +", " ")))
+        .containsExactly("ROBOT ROLE MODULES SEEN", "zeta scout 1 now");
+    assertThat(said("persona", "show", "zeta"))
+        .contains("zeta, scout", "seen now", "Goals", "  Map the field.")
+        .contains("gps_front, GPSSensor: ", "gps receiver: ", "fix modes 2D 3D", "sensor: reads");
+    assertThat(said("persona", "show", "zeta", "--json"))
+        .contains("\"role\" : \"scout\"", "\"fixModes\" : [ \"2D\", \"3D\" ]");
+
+    assertThat(
+            said(
+                "persona",
+                "find",
+                "LocationSensor with sensor.maxRate >= 1 and gps_receiver.fixModes contains \"3D\""
+                    + " on zeta within 50 m of 27.98, -82.45"))
+        .contains(GPS);
+    Outcome none = ask("persona", "find", "GPSSensor within 50 m of 27.99, -82.45");
+    assertThat(none.exit()).isEqualTo(3);
+    assertThat(none.out().strip())
+        .isEqualTo("There is no GPSSensor within 50.0 m of 27.99°, -82.45°.");
+    Outcome wrong = ask("persona", "find", "GPSSensor with sensor.maxRat >= 1");
+    assertThat(wrong.exit()).isEqualTo(2);
+    assertThat(wrong.err().strip())
+        .isEqualTo(
+            "dfra: in the query, at character 16: SensorAttributes has no component \"maxRat\"; did"
+                + " you mean \"maxRate\"?");
+    Outcome nobody = ask("persona", "show", "zetta");
+    assertThat(nobody.exit()).isEqualTo(3);
+    assertThat(nobody.err().strip())
+        .isEqualTo("dfra: there is no robot zetta; did you mean \"zeta\"?");
+  }
+
+  @Test
+  void eventsAreShownAndMeasured() throws Exception {
+    assertThat(said("event", "echo", GPS, "--kind=reading", "--count=2").lines())
+        .hasSize(2)
+        .allSatisfy(
+            line ->
+                assertThat(line)
+                    .matches("\\S+Z  reading    #\\d+  GpsFix mode FIX_3D, position .*"));
+    assertThat(said("event", "echo", GPS, "--count=1", "--kind=reading", "--json").lines())
+        .singleElement()
+        .asString()
+        .contains("\"module\":\"" + GPS + "\"", "\"lost\":0", "\"mode\":\"FIX_3D\"");
+    assertThat(said("event", "hz", GPS, "--count=3").lines().reduce((a, b) -> b).orElseThrow())
+        .matches("[\\d.]+ Hz; interval min [\\d.]+ s, max [\\d.]+ s, std [\\d.]+ s; 3 events");
+    assertThat(said("event", "bw", GPS, "--count=2", "--json").lines().reduce((a, b) -> b))
+        .hasValueSatisfying(
+            line ->
+                assertThat(line).contains("\"events\":2").containsPattern("\"minSize\":\\d{3}"));
+    assertThat(said("event", "hz", GPS, "--kind=incident", "--for=0.5").strip())
+        .isEqualTo("no event so far");
+    assertThat(ask("event", "echo", GPS, "--depth=0").exit()).isEqualTo(2);
+    assertThat(said("lease", "list")).as("all of them gave their leases back").contains("Nobody");
+  }
+
+  @Test
+  void aListenerIsSeenRevokedAndGoneWhenItIsTerminated() throws Exception {
+    CompletableFuture<Outcome> listener = askBeside("event", "echo", GPS);
+    String lease = awaitLease();
+    assertThat(said("log", "level", GPS)).contains("logs INFO and above");
+    assertThat(said("log", "level", GPS, "debug")).contains("logs DEBUG and above");
+    assertThat(ask("log", "level", GPS, "loud").exit()).isEqualTo(2);
+    assertThat(said("lease", "revoke", GPS, lease)).startsWith("Revoked lease " + lease);
+    Outcome revoked = listener.get();
+    assertThat(revoked.exit()).isEqualTo(1);
+    assertThat(revoked.err())
+        .contains("dfra: " + GPS + " tells no more: an administrator has revoked the lease");
+    Outcome unknown = ask("lease", "revoke", GPS, lease);
+    assertThat(unknown.exit()).isEqualTo(3);
+
+    CompletableFuture<Outcome> interrupted = askBeside("event", "hz", GPS);
+    String unused = awaitLease();
+    List<ProcessHandle> living = new ArrayList<>(beside.living());
+    assertThat(living).hasSize(1);
+    assertThat(living.get(0).destroy()).isTrue(); // SIGTERM; Ctrl-C ends a JVM the same way
+    assertThat(interrupted.get().exit()).isEqualTo(143);
+    assertThat(said("lease", "list", GPS))
+        .isEqualToIgnoringNewLines("Nobody holds a lease on " + GPS + ".");
+  }
+
+  /** How the name of the only lease there is begins. */
+  private String awaitLease() {
+    String[] found = new String[1];
+    await()
+        .atMost(PATIENCE)
+        .until(
+            () -> {
+              List<String> rows = said("lease", "list", GPS).lines().skip(1).toList();
+              if (rows.size() == 1) {
+                String[] cells = rows.get(0).split(" {2,}");
+                assertThat(cells).startsWith(GPS, "client", "127.0.0.1");
+                found[0] = cells[cells.length - 1];
+              }
+              return rows.size() == 1;
+            });
+    return found[0];
+  }
+}
