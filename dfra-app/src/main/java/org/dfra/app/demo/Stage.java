@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.dfra.river.bootstrap.JvmCommand;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.sim.device.M12EmulatorMain;
+import org.dfra.sim.device.ReceiverEmulatorMain;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -64,7 +64,7 @@ final class Stage implements AutoCloseable {
     command.addAll(JvmCommand.options());
     command.addAll(
         List.of(
-            M12EmulatorMain.class.getName(),
+            ReceiverEmulatorMain.class.getName(),
             "--latitude=27.9506",
             "--longitude=-82.4572",
             "--height=14.5"));
