@@ -22,7 +22,8 @@ import picocli.CommandLine.Spec;
       "",
       "Benchmarks:",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
-      "  events        of these, the latency of events alone"
+      "  events        of these, the latency of events alone",
+      "  parsers       the receivers' parsers (ten seconds)"
     })
 public final class BenchCommand implements Callable<Integer> {
 
@@ -31,6 +32,7 @@ public final class BenchCommand implements Callable<Integer> {
   static {
     BENCHES.put("distributed", DistributedBench::new);
     BENCHES.put("events", EventBench::new);
+    BENCHES.put("parsers", ParserBench::new);
   }
 
   @Parameters(paramLabel = "NAME", description = "Which one.")

@@ -17,7 +17,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.river.bootstrap.JvmCommand;
-import org.dfra.sim.device.M12EmulatorMain;
+import org.dfra.sim.device.ReceiverEmulatorMain;
 
 /**
  * What a demonstration stands on: a temporary folder, emulated receivers, hosts, and the certainty
@@ -97,7 +97,7 @@ final class Stage implements AutoCloseable {
     command.addAll(JvmCommand.options());
     command.addAll(
         List.of(
-            M12EmulatorMain.class.getName(),
+            ReceiverEmulatorMain.class.getName(),
             "--latitude=" + position.latitude(),
             "--longitude=" + position.longitude(),
             "--height=" + position.height()));

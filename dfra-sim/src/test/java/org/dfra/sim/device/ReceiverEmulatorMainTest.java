@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** The emulator as a process. */
 @Timeout(60)
-class M12EmulatorMainTest {
+class ReceiverEmulatorMainTest {
 
   @Test
   void saysWhereItListensAndServesUntilItIsTerminated() throws Exception {
@@ -41,6 +41,21 @@ class M12EmulatorMainTest {
       assertThat(process.toHandle().destroy()).isTrue(); // SIGTERM, leaving its output open
       assertThat(process.waitFor(10, TimeUnit.SECONDS)).as("ended by SIGTERM").isTrue();
       assertThat(out.readLine()).as("a second line").isNull();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  @Test
+  void speaksWhatItIsTold() throws Exception {
+    Process process = launch("--protocol=NMEA", "--baud=38400");
+    try {
+      String line = process.inputReader(StandardCharsets.UTF_8).readLine();
+      int port = Integer.parseInt(line.substring(line.lastIndexOf(':') + 1));
+      try (Socket client = new Socket(InetAddress.getLoopbackAddress(), port)) {
+        assertThat(new String(client.getInputStream().readNBytes(7), StandardCharsets.US_ASCII))
+            .isEqualTo("$GNRMC,");
+      }
     } finally {
       process.destroyForcibly();
     }
@@ -71,7 +86,7 @@ class M12EmulatorMainTest {
                 System.getProperty("java.home") + "/bin/java",
                 "-cp",
                 System.getProperty("java.class.path"),
-                M12EmulatorMain.class.getName()));
+                ReceiverEmulatorMain.class.getName()));
     command.addAll(List.of(options));
     return new ProcessBuilder(command).start();
   }

@@ -3,6 +3,8 @@ package org.dfra.sim.device;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.time.Clock;
+import java.time.Duration;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.geometry.GeoPosition;
 import picocli.CommandLine;
@@ -13,15 +15,33 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * An emulated M12+ as a process of its own. Prints {@code listening on tcp://127.0.0.1:PORT} when
- * it is ready, and runs until it is terminated. Exit status 2 when an option is wrong, 1 when the
- * port cannot be had.
+ * An emulated GPS receiver as a process of its own. Prints {@code listening on
+ * tcp://127.0.0.1:PORT} when it is ready, and runs until it is terminated. Exit status 2 when an
+ * option is wrong, 1 when the port cannot be had.
  */
 @Command(
-    name = "m12-emulator",
+    name = "receiver-emulator",
     mixinStandardHelpOptions = true,
-    description = "A Motorola Oncore M12+ GPS receiver that does not exist, on a TCP port.")
-public final class M12EmulatorMain implements Callable<Integer> {
+    description = "A GPS receiver that does not exist, on a TCP port.")
+public final class ReceiverEmulatorMain implements Callable<Integer> {
+
+  /** What the receiver speaks. */
+  enum Protocol {
+    /** Motorola's binary one. */
+    M12,
+    /** NMEA 0183. */
+    NMEA,
+    /** That of u-blox. */
+    UBX,
+    /** That of gpsd. */
+    GPSD
+  }
+
+  @Option(
+      names = "--protocol",
+      defaultValue = "M12",
+      description = "What it speaks: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private Protocol protocol = Protocol.M12;
 
   @Option(
       names = "--port",
@@ -57,19 +77,19 @@ public final class M12EmulatorMain implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
 
-  private M12EmulatorMain() {}
+  private ReceiverEmulatorMain() {}
 
   /** Runs it. */
   public static void main(String[] arguments) {
-    System.exit(new CommandLine(new M12EmulatorMain()).execute(arguments));
+    System.exit(new CommandLine(new ReceiverEmulatorMain()).execute(arguments));
   }
 
   @Override
   public Integer call() throws InterruptedException {
     PrintWriter out = spec.commandLine().getOut();
-    try (M12Emulator emulator = new M12Emulator(settings(), Clock.systemUTC())) {
+    try (DeviceEmulator emulator = emulator()) {
       emulator.start();
-      Runtime.getRuntime().addShutdownHook(new Thread(emulator::close, "m12 emulator end"));
+      Runtime.getRuntime().addShutdownHook(new Thread(emulator::close, "emulator end"));
       out.println("listening on " + emulator.url());
       out.flush();
       emulator.await();
@@ -80,11 +100,18 @@ public final class M12EmulatorMain implements Callable<Integer> {
     }
   }
 
-  private M12Settings settings() {
+  private DeviceEmulator emulator() {
     try {
-      return M12Settings.at(new GeoPosition(latitude, longitude, height))
-          .withPort(port)
-          .withBaud(baud);
+      AntennaPath path = AntennaPath.fixed(new GeoPosition(latitude, longitude, height));
+      SerialDevice device =
+          switch (protocol) {
+            case M12 -> new M12Device(path, baud, Duration.ZERO);
+            case NMEA -> new NmeaDevice(path, baud, Duration.ZERO);
+            case UBX -> new UbxDevice(path, baud, Duration.ZERO);
+            case GPSD -> new GpsdDevice(path, baud, Duration.ZERO);
+          };
+      return new DeviceEmulator(
+          protocol.name().toLowerCase(Locale.ROOT), port, device, Clock.systemUTC());
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
     }
