@@ -34,8 +34,8 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, event, help,"
-            + " lease, log, module, persona, status, test, up",
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, completion, demo, dist, doctor,"
+            + " down, event, help, lease, log, module, persona, status, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is persona, foundation; see: ./dfra demo --help",
