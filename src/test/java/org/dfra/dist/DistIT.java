@@ -59,6 +59,10 @@ class DistIT {
       assertThat(installed.dfra(robot, "module", "list", "--team=").out())
           .containsPattern("atrv1/gps_front +GPSSensor");
 
+      Outcome doctor = installed.dfra(robot, "doctor", "--team=");
+      assertThat(doctor.exit()).as(doctor.out() + doctor.err()).isZero();
+      assertThat(doctor.out()).contains(" at " + installed.java(), installed.home() + "/lib/boot/");
+
       Outcome down = installed.dfra(robot, "down");
       assertThat(down.exit()).as(down.out() + down.err()).isZero();
       await()

@@ -70,7 +70,7 @@ final class Installation implements AutoCloseable {
         Map.of(),
         jlink.toString(),
         "--add-modules",
-        "java.se,jdk.unsupported,jdk.management,jdk.crypto.ec",
+        "java.se,jdk.crypto.ec,jdk.httpserver,jdk.unsupported",
         "--output",
         jre.toString());
     assertThat(jre.resolve("bin/java")).isExecutable();

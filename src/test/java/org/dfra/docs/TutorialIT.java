@@ -72,15 +72,15 @@ class TutorialIT {
     }
   }
 
-  /** The last lines of {@code ./dfra}, which start the program, with this test's phoenix. */
+  /** What {@code ./dfra} does at last, which starts the program, with this test's phoenix. */
   private String launcher() {
-    String script = Documents.read(Documents.ROOT.resolve("dfra"));
     return "#!/bin/sh\nset -eu\n"
-        + ("root='" + Documents.ROOT + "' jdk='" + System.getProperty("java.home") + "'\n")
+        + (". '" + Documents.ROOT.resolve("src/dist/libexec/java.sh") + "'\n")
+        + ("root='" + Documents.ROOT + "' home='" + System.getProperty("java.home") + "'\n")
         + ("lib='" + folder.resolve("lib") + "' boot='" + System.getProperty("dfra.boot") + "'\n")
         + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
         + ("[ $1 != up ] || set -- \"$@\" --port " + phoenixPort + " --registry-port -1\n")
-        + script.substring(script.indexOf("set -f\n"));
+        + "launch \"$root\" \"$lib\" \"$boot\" ./dfra \"$@\"\n";
   }
 
   @AfterEach

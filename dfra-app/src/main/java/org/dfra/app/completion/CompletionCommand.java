@@ -17,8 +17,8 @@ import picocli.CommandLine.Spec;
     description = "Prints the script that completes dfra in a shell.",
     footer = {
       "",
-      "For this shell:   source <(./dfra completion bash)",
-      "For every shell:  docs/how-to/complete-commands.md"
+      "For the shell that is open: source <(./dfra completion bash).",
+      "For every shell to come: see docs/how-to/complete-commands.md."
     })
 public final class CompletionCommand implements Callable<Integer> {
 

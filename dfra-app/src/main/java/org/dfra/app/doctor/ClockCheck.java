@@ -55,6 +55,13 @@ final class ClockCheck implements Check {
           "none of " + measured.robot() + "'s modules tells its clock",
           "See how they are: ./dfra module list.");
     }
+    if (offset.atLeast().isZero()) {
+      return Finding.ok(
+          subject(),
+          measured.robot()
+              + "'s clock agrees with this computer's, ± "
+              + Milliseconds.of(offset.uncertainty()));
+    }
     String what =
         measured.robot()
             + "'s clock is "

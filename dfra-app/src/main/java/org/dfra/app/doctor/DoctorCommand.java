@@ -82,10 +82,10 @@ public final class DoctorCommand implements Callable<Integer> {
     checks.add(FileDescriptorCheck.ofThisProcess());
     checks.add(HostCheck.ofThisComputer(team.wantedHost()));
     checks.add(new MulticastCheck(new JiniMulticast(), team.groups()));
+    checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
     checks.add(StateCheck.of(team.state()));
     checks.add(new PhoenixCheck(asked(phoenix)));
     try (TeamSurvey survey = TeamSurvey.open(team)) {
-      checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
       boolean isRobotUp = phoenix.pid().isPresent();
       checks.add(new RegistrarCheck(survey, team.namedLocators(), isRobotUp));
       checks.add(new ClockCheck(survey));

@@ -83,7 +83,7 @@ final class TeamSurvey implements RegistrarCheck.Search, ClockCheck.Clocks, Auto
     long asked = System.nanoTime();
     LookupLocator locator = registrar.getLocator();
     return new Seen(
-        locator.toString(),
+        "jini://" + locator.getHost() + ":" + locator.getPort(),
         groups,
         HostAddress.isLoopback(locator.getHost()),
         Duration.ofNanos(System.nanoTime() - asked));

@@ -2,29 +2,55 @@ package org.dfra.app.doctor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import org.dfra.core.config.ConfigurationException;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What is found of Java, the boot class path, limits and the computer's name. */
 class HostChecksTest {
 
+  private static final Set<String> WHOLE =
+      Set.of(
+          "java.logging",
+          "java.management",
+          "java.naming",
+          "java.rmi",
+          "java.xml",
+          "jdk.httpserver",
+          "jdk.unsupported");
+
+  @TempDir Path folder;
+
   @Test
   void javaOlderThan17IsAFailure() {
-    assertThat(new JavaCheck(11, "11.0.2", "/opt/java").examine())
-        .singleElement()
-        .isEqualTo(
-            new Finding(
+    assertThat(new JavaCheck(11, "11.0.2", "/opt/java", WHOLE).examine())
+        .containsExactly(
+            Finding.fail(
                 Subject.JAVA,
-                Verdict.FAIL,
                 "Java 11.0.2 at /opt/java is older than 17",
                 "Install Java 17 or newer, and name its folder in JAVA_HOME."));
-    assertThat(new JavaCheck(17, "17.0.15", "/opt/java").examine())
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", WHOLE).examine())
         .containsExactly(Finding.ok(Subject.JAVA, "Java 17.0.15 at /opt/java"));
     assertThat(JavaCheck.ofThisProcess().examine().get(0).verdict()).isEqualTo(Verdict.OK);
+  }
+
+  @Test
+  void aJavaThatLacksModulesIsAFailure() {
+    Set<String> some = new HashSet<>(WHOLE);
+    some.remove("jdk.httpserver");
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", some).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("Java 17.0.15 at /opt/java lacks jdk.httpserver", Finding::what);
   }
 
   @Test
@@ -54,13 +80,29 @@ class HostChecksTest {
   }
 
   @Test
-  void fewFileDescriptorsAreAWarning() {
-    assertThat(new FileDescriptorCheck(1024).examine())
+  void fewFileDescriptorsAreAWarning() throws IOException {
+    assertThat(limit("1024").examine())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
         .satisfies(finding -> assertThat(finding.mend()).contains("ulimit -n 4096"));
-    assertThat(new FileDescriptorCheck(4096).examine().get(0).verdict()).isEqualTo(Verdict.OK);
-    assertThat(new FileDescriptorCheck(0).examine()).as("the system does not tell").isEmpty();
+    assertThat(limit("4096").examine())
+        .containsExactly(
+            Finding.ok(Subject.FILE_DESCRIPTORS, "a process may have 4096 files and sockets open"));
+    assertThat(new FileDescriptorCheck(folder.resolve("none")).examine())
+        .as("the system does not tell")
+        .isEmpty();
+  }
+
+  private FileDescriptorCheck limit(String most) throws IOException {
+    return new FileDescriptorCheck(
+        Files.writeString(
+            folder.resolve("limits"),
+            """
+            Limit                     Soft Limit           Hard Limit           Units
+            Max processes             15000                15000                processes
+            Max open files            %s                 20000                files
+            """
+                .formatted(most)));
   }
 
   @Test

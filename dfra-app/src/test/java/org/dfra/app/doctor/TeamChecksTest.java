@@ -72,6 +72,7 @@ class TeamChecksTest {
     assertThat(clock(20, 5))
         .isEqualTo(
             Finding.ok(Subject.CLOCK, "r's clock is 20 ms ahead of this computer's, ± 5.0 ms"));
+    assertThat(clock(-3, 5).what()).isEqualTo("r's clock agrees with this computer's, ± 5.0 ms");
     assertThat(clock(-150, 5))
         .returns(Verdict.WARN, Finding::verdict)
         .returns("r's clock is 150 ms behind this computer's, ± 5.0 ms", Finding::what);
