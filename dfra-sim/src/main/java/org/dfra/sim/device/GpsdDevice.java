@@ -3,7 +3,8 @@ package org.dfra.sim.device;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.temporal.ChronoUnit;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
@@ -24,6 +25,9 @@ public final class GpsdDevice extends StreamingDevice {
           + PATH
           + "\",\"driver\":\"NMEA0183\",\"subtype\":\"emulator\",\"activated\":"
           + "\"2026-01-01T00:00:00.000Z\"}]}";
+
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSS'Z'").withZone(ZoneOffset.UTC);
 
   private final StringBuilder command = new StringBuilder();
   private boolean greets = true;
@@ -101,7 +105,7 @@ public final class GpsdDevice extends StreamingDevice {
             + satellites
             + "]}",
         time);
-    String told = time.truncatedTo(ChronoUnit.MILLIS).toString();
+    String told = TIME.format(time);
     line(
         hasFix
             ? String.format(

@@ -70,16 +70,14 @@ public final class GpsdDecoder {
     in.nextToken();
     in.nextToken();
     name = textOf(in.nextToken());
-    GpsdMessage message =
-        switch (name) {
-          case "TPV" -> position();
-          case "SKY" -> sky();
-          case "VERSION" -> version();
-          case "DEVICES" -> devices();
-          case "DEVICE" -> device();
-          default -> other();
-        };
-    return message;
+    return switch (name) {
+      case "TPV" -> position();
+      case "SKY" -> sky();
+      case "VERSION" -> version();
+      case "DEVICES" -> devices();
+      case "DEVICE" -> device();
+      default -> other();
+    };
   }
 
   /** The next member's name; null at the object's end. */
