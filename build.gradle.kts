@@ -33,6 +33,7 @@ allprojects {
         listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$rootDir")
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
+    val seed = providers.gradleProperty("dfra.seed").getOrElse("")
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
         group = "dfra"
@@ -42,6 +43,7 @@ allprojects {
         jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
+        systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little
     }

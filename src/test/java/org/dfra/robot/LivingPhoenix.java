@@ -30,7 +30,11 @@ public final class LivingPhoenix implements AutoCloseable {
   }
 
   public static LivingPhoenix start(Path state) throws IOException {
-    PhoenixProcess phoenix = new PhoenixProcess("127.0.0.1", freePort(), -1, state);
+    return start("127.0.0.1", state);
+  }
+
+  static LivingPhoenix start(String host, Path state) throws IOException {
+    PhoenixProcess phoenix = new PhoenixProcess(host, freePort(), -1, state);
     return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }
 

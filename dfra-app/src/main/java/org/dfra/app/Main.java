@@ -34,6 +34,7 @@ import picocli.CommandLine.ScopeType;
       UpCommand.class,
       DownCommand.class,
       StatusCommand.class,
+      DoctorCommand.class,
       ModuleCommand.class,
       PersonaCommand.class,
       EventCommand.class,
@@ -41,7 +42,6 @@ import picocli.CommandLine.ScopeType;
       LogCommand.class,
       DemoCommand.class,
       BenchCommand.class,
-      DoctorCommand.class,
       CompletionCommand.class,
       CommandLine.HelpCommand.class
     })

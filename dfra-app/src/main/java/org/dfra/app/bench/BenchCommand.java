@@ -1,14 +1,15 @@
 package org.dfra.app.bench;
 
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import org.dfra.app.figure.RecordOption;
+import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -21,7 +22,8 @@ import picocli.CommandLine.Spec;
       "",
       "Benchmarks:",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
-      "  events        of these, the latency of events alone"
+      "  events        of these, the latency of events alone",
+      "  parsers       the receivers' parsers (ten seconds)"
     })
 public final class BenchCommand implements Callable<Integer> {
 
@@ -30,16 +32,15 @@ public final class BenchCommand implements Callable<Integer> {
   static {
     BENCHES.put("distributed", DistributedBench::new);
     BENCHES.put("events", EventBench::new);
+    BENCHES.put("parsers", ParserBench::new);
   }
 
   @Parameters(paramLabel = "NAME", description = "Which one.")
   private String name = "";
 
-  @Option(
-      names = "--record",
-      paramLabel = "FILE",
-      description = "Append the measured figures to this CSV file.")
-  private @Nullable Path record;
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private RecordOption record;
 
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -55,9 +56,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
     Report report = new Report(spec.commandLine().getOut());
     bench.get().run(report);
-    if (record != null) {
-      report.append(record, name);
-    }
-    return report.isMet() ? 0 : 1;
+    record.keep(report.figures(), "bench", name);
+    return report.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
   }
 }

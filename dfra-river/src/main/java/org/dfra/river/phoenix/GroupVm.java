@@ -14,6 +14,7 @@ import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.GroupClasses;
 import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
 /**
@@ -59,7 +60,7 @@ public final class GroupVm {
     } catch (ClassNotFoundException e) {
       end(REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
     } catch (RuntimeException | LinkageError e) {
-      e.printStackTrace();
+      LoggerFactory.getLogger(GroupVm.class).error("The group cannot be created.", e);
       end(REFUSED, "The group cannot be created: " + e);
     }
   }

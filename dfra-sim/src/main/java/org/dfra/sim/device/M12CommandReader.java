@@ -1,6 +1,7 @@
 package org.dfra.sim.device;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Map;
 
 /** Finds commands in the bytes a computer sends. Confined to one thread. */
@@ -14,17 +15,31 @@ final class M12CommandReader {
      * Takes one.
      *
      * @param id its two letters
-     * @param argument its one byte, 0 to 255; 0 where it has none
+     * @param argument the bytes between ID and checksum
      */
-    void command(String id, int argument);
+    void command(String id, byte[] argument);
   }
 
   /** Total lengths of the commands that are known. */
   private static final Map<String, Integer> LENGTHS =
-      Map.of("Ha", 8, "Ea", 8, "Aw", 8, "Cj", 7, "Cf", 7);
+      Map.ofEntries(
+          Map.entry("Ha", 8),
+          Map.entry("Hb", 8),
+          Map.entry("Hn", 8),
+          Map.entry("Ea", 8),
+          Map.entry("En", 22),
+          Map.entry("Bb", 8),
+          Map.entry("Bo", 8),
+          Map.entry("Aw", 8),
+          Map.entry("Gd", 8),
+          Map.entry("Ge", 8),
+          Map.entry("Gb", 17),
+          Map.entry("As", 20),
+          Map.entry("Cj", 7),
+          Map.entry("Cf", 7));
 
   private final Sink sink;
-  private final byte[] window = new byte[8];
+  private final byte[] window = new byte[22];
   private int filled;
 
   M12CommandReader(Sink sink) {
@@ -66,7 +81,7 @@ final class M12CommandReader {
     if (window[length - 2] != '\r' || window[length - 1] != '\n') {
       return 0;
     }
-    sink.command(id(), length == 8 ? window[4] & 0xFF : 0);
+    sink.command(id(), Arrays.copyOfRange(window, 4, length - 3));
     return length;
   }
 

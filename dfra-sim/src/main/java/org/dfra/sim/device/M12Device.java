@@ -3,19 +3,24 @@ package org.dfra.sim.device;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an M12+ does between its two wires: takes command bytes, sends message bytes. Knows no
- * thread and reads no clock; confined to one thread, which says what time it is.
+ * What an M12+ does between its two wires.
  *
- * <p>Commands: {@code @@Ha} and {@code @@Ea} with a rate byte (0 once, n at once and every n
- * seconds), {@code @@Cj} (identification), {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks),
- * {@code @@Cf} (defaults: sends nothing by itself any more). Everything else, and every damaged
- * command, is ignored. The settings outlive a client, as those of a receiver outlive the computer
- * on its line.
+ * <p>Commands: {@code @@Ha}, {@code @@Hb}, {@code @@Hn}, {@code @@Ea}, {@code @@En} with a rate
+ * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once, and
+ * {@code @@Bb} every half minute where its rate is not 0), {@code @@Cj} (identification),
+ * {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0 to 3, FF asks), {@code @@Ge}
+ * (time RAIM), {@code @@Gb} (date and time, which it obeys only while it has no fix), {@code @@As}
+ * (the position to hold; out of range asks), {@code @@Cf} (defaults: sends nothing by itself any
+ * more). Everything else, and every damaged command, is ignored. The settings outlive a client, as
+ * those of a receiver outlive the computer on its line.
  */
-public final class M12Device {
+public final class M12Device implements SerialDevice {
 
   /** With more than this waiting the line is too slow for what was asked; a message is left out. */
   private static final int LONGEST_QUEUE = 1024;
@@ -25,9 +30,15 @@ public final class M12Device {
   private final UartLine line;
   private final M12CommandReader commands = new M12CommandReader(this::obey);
 
-  private final Schedule position12 = new Schedule();
-  private final Schedule position8 = new Schedule();
+  /** Seconds between two tellings of the satellites, whose places change slowly. */
+  private static final int SKY_PERIOD = 30;
+
+  private final Map<String, Schedule> schedules = new LinkedHashMap<>();
   private boolean tellsUtc = true;
+  private int positionControl;
+  private boolean timeRaim;
+  private @Nullable GeoPosition held;
+  private Duration clockError = Duration.ZERO; // of its own clock, before it has a fix
   private @Nullable Instant powerOn;
   private Instant now = Instant.EPOCH;
 
@@ -43,16 +54,13 @@ public final class M12Device {
     this.timeToFirstFix = timeToFirstFix;
   }
 
-  /** Takes bytes from the computer, cut anywhere. */
+  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
     commands.feed(bytes, offset, length);
   }
 
-  /**
-   * Puts the bytes that have come out of the device by {@code time}, and not been put before, into
-   * {@code out}, as far as they fit.
-   */
+  @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
     line.take(out, time);
@@ -63,32 +71,42 @@ public final class M12Device {
       powerOn = time;
     }
     now = time;
-    Instant due12 = position12.due(time);
-    if (due12 != null) {
-      send12(due12);
-    }
-    Instant due8 = position8.due(time);
-    if (due8 != null) {
-      send8(due8);
-    }
+    schedules.forEach(
+        (id, schedule) -> {
+          Instant due = schedule.due(time);
+          if (due != null) {
+            tell(id, due);
+          }
+        });
   }
 
-  private void obey(String id, int argument) {
+  private void obey(String id, byte[] argument) {
+    int first = argument.length == 0 ? 0 : argument[0] & 0xFF;
     switch (id) {
-      case "Ha" -> {
-        position12.set(argument, now);
-        send12(now);
+      case "Ha", "Hb", "Hn", "Ea", "En" -> {
+        timeRaim |= id.equals("En") && argument[1] == 1;
+        repeat(id, first);
+        tell(id, now);
       }
-      case "Ea" -> {
-        position8.set(argument, now);
-        send8(now);
+      case "Bb" -> {
+        repeat(id, first == 0 ? 0 : SKY_PERIOD);
+        tell(id, now);
       }
+      case "Bo" -> say("Bo", M12Frames.UTC_OFFSET);
       case "Cj" -> line.send(M12Frames.identification(), now);
-      case "Aw" -> setTimeScale(argument);
+      case "Aw" -> setTimeScale(first);
+      case "Gd" -> setPositionControl(first);
+      case "Ge" -> {
+        timeRaim = first == 0xFF ? timeRaim : first == 1;
+        say("Ge", timeRaim ? 1 : 0);
+      }
+      case "Gb" -> setClock(argument);
+      case "As" -> setHeld(argument);
       case "Cf" -> {
-        position12.set(0, now);
-        position8.set(0, now);
+        schedules.clear();
         tellsUtc = true;
+        positionControl = 0;
+        timeRaim = false;
         line.send(M12Frames.frame("Cf", new byte[0]), now);
       }
       default -> {
@@ -97,55 +115,79 @@ public final class M12Device {
     }
   }
 
+  private void repeat(String id, int seconds) {
+    schedules.computeIfAbsent(id, unused -> new Schedule()).set(seconds, now);
+  }
+
+  private void say(String id, int value) {
+    line.send(M12Frames.frame(id, new byte[] {(byte) value}), now);
+  }
+
   private void setTimeScale(int argument) {
     if (argument <= 1 || argument == 0xFF) {
       tellsUtc = argument == 0xFF ? tellsUtc : argument == 1;
-      line.send(M12Frames.frame("Aw", new byte[] {(byte) (tellsUtc ? 1 : 0)}), now);
+      say("Aw", tellsUtc ? 1 : 0);
     }
   }
 
-  private void send12(Instant time) {
-    if (line.waitingBytes() <= LONGEST_QUEUE) {
-      line.send(M12Frames.position12(time, tellsUtc, hasFix(time), path.at(time)), time);
+  private void setPositionControl(int argument) {
+    if (argument <= 3 || argument == 0xFF) {
+      positionControl = argument == 0xFF ? positionControl : argument;
+      if (argument == 1 && held == null) {
+        held = path.at(now).position();
+      }
+      say("Gd", positionControl);
     }
   }
 
-  private void send8(Instant time) {
-    if (line.waitingBytes() <= LONGEST_QUEUE) {
-      line.send(M12Frames.position8(time, tellsUtc, hasFix(time), path.at(time)), time);
+  private void setClock(byte[] argument) {
+    Instant set = M12Frames.clockIn(argument);
+    if (set != null && !hasFix(now)) {
+      clockError = Duration.between(now, set);
     }
+    line.send(M12Frames.clock(told(now)), now);
+  }
+
+  private void setHeld(byte[] argument) {
+    GeoPosition set = M12Frames.heldIn(argument);
+    if (set != null) {
+      held = set;
+    }
+    line.send(M12Frames.held(held == null ? path.at(now).position() : held), now);
+  }
+
+  private Instant told(Instant time) {
+    return hasFix(time) ? time : time.plus(clockError);
+  }
+
+  private void tell(String id, Instant time) {
+    if (line.waitingBytes() > LONGEST_QUEUE) {
+      return;
+    }
+    M12Frames.Moment moment =
+        new M12Frames.Moment(told(time), tellsUtc, hasFix(time), holds(), antenna(time));
+    line.send(
+        switch (id) {
+          case "Ha" -> M12Frames.position12(moment);
+          case "Hb" -> M12Frames.shortPosition(moment);
+          case "Hn" -> M12Frames.timeRaim12(moment, timeRaim);
+          case "Ea" -> M12Frames.position8(moment);
+          case "En" -> M12Frames.timeRaim8(moment, timeRaim);
+          default -> M12Frames.visible(moment);
+        },
+        time);
+  }
+
+  private boolean holds() {
+    return positionControl == 1 && held != null;
+  }
+
+  private AntennaState antenna(Instant time) {
+    AntennaState there = path.at(time);
+    return positionControl == 1 && held != null ? new AntennaState(held, 0, 0) : there;
   }
 
   private boolean hasFix(Instant time) {
     return powerOn != null && !time.isBefore(powerOn.plus(timeToFirstFix));
-  }
-
-  /** When a message is sent again. */
-  private static final class Schedule {
-
-    private Duration period = Duration.ZERO;
-    private Instant next = Instant.MAX;
-
-    void set(int seconds, Instant now) {
-      period = Duration.ofSeconds(seconds);
-      next = seconds == 0 ? Instant.MAX : now.plus(period);
-    }
-
-    /** The last time due by now; null when there is none. Times slept through are left out. */
-    @Nullable Instant due(Instant now) {
-      if (period.isZero()) {
-        return null;
-      }
-      if (now.plus(period).isBefore(next)) { // the clock was set back
-        next = now.plus(period);
-      }
-      if (now.isBefore(next)) {
-        return null;
-      }
-      long missed = Duration.between(next, now).dividedBy(period);
-      Instant due = next.plus(period.multipliedBy(missed));
-      next = due.plus(period);
-      return due;
-    }
   }
 }

@@ -2,11 +2,13 @@ package org.dfra.sim.device;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writes the frames a receiver sends. Source: Motorola Oncore M12+ user's guide.
@@ -28,6 +30,7 @@ final class M12Frames {
   private static final int NARROW_BAND = 0x0400;
   private static final int TOO_FEW_SATELLITES = 0x0008;
   private static final int FIX_3D = 7 << 13;
+  private static final int POSITION_HOLD = 4 << 13;
   private static final int ACQUIRING = 3 << 13;
 
   private M12Frames() {}
@@ -44,38 +47,40 @@ final class M12Frames {
   }
 
   /** {@code @@Ha}: position, status and data of twelve channels. */
-  static byte[] position12(Instant utc, boolean tellsUtc, boolean hasFix, AntennaState antenna) {
-    Sky sky = hasFix ? Sky.found(utc) : Sky.searching(utc);
+  static byte[] position12(Moment moment) {
+    Sky sky = moment.sky();
+    AntennaState antenna = moment.antenna();
     ByteBuffer out = ByteBuffer.allocate(LENGTH_12 - AROUND_PAYLOAD);
-    putTime(out, utc, tellsUtc);
+    putTime(out, moment);
     putPosition(out, antenna.position()); // filtered
     putPosition(out, antenna.position()); // unfiltered
     putSpeed(out, antenna.speed()); // 3-D: the height is constant
     putSpeed(out, antenna.speed());
     out.putShort((short) Math.round(antenna.course() * 10));
-    out.putShort((short) (hasFix ? 18 : 0));
+    out.putShort((short) moment.dilution());
     out.put((byte) sky.visible()).put((byte) sky.tracked(12));
     for (int i = 0; i < 12; i++) {
       putChannel12(out, sky.channels(), i);
     }
-    out.putShort((short) (hasFix ? FIX_3D | NARROW_BAND : ACQUIRING | TOO_FEW_SATELLITES));
+    out.putShort((short) moment.status());
     out.putShort((short) 0).putShort((short) -12).putInt(99_800); // reserved, bias, oscillator
     out.putShort((short) 56); // 28 °C
-    out.put((byte) ((tellsUtc ? 0x80 : 0) | 0x40 | UTC_OFFSET));
+    out.put((byte) ((moment.tellsUtc() ? 0x80 : 0) | 0x40 | UTC_OFFSET));
     out.put((byte) 0).put((byte) 0).put((byte) 0); // local time is UTC
     out.put("EMU001".getBytes(StandardCharsets.US_ASCII));
     return frame("Ha", out.array());
   }
 
   /** {@code @@Ea}: position, status and data of eight channels. */
-  static byte[] position8(Instant utc, boolean tellsUtc, boolean hasFix, AntennaState antenna) {
-    Sky sky = hasFix ? Sky.found(utc) : Sky.searching(utc);
+  static byte[] position8(Moment moment) {
+    Sky sky = moment.sky();
+    AntennaState antenna = moment.antenna();
     ByteBuffer out = ByteBuffer.allocate(LENGTH_8 - AROUND_PAYLOAD);
-    putTime(out, utc, tellsUtc);
+    putTime(out, moment);
     putPosition(out, antenna.position());
     putSpeed(out, antenna.speed());
     out.putShort((short) Math.round(antenna.course() * 10));
-    out.putShort((short) (hasFix ? 18 : 0));
+    out.putShort((short) moment.dilution());
     out.put((byte) 0); // PDOP, antenna in order
     out.put((byte) sky.visible()).put((byte) sky.tracked(8));
     for (Sky.Channel channel : sky.channels().subList(0, 8)) {
@@ -83,7 +88,7 @@ final class M12Frames {
       out.put((byte) channel.carrierToNoise());
       out.put((byte) (channel.mode() == Sky.AVAILABLE ? CHANNEL_USED_8 : 0));
     }
-    out.put((byte) (hasFix ? 0x20 : 0x08 | 0x02));
+    out.put((byte) (!moment.hasFix() ? 0x08 | 0x02 : moment.holds() ? 0x08 : 0x20));
     return frame("Ea", out.array());
   }
 
@@ -106,8 +111,143 @@ final class M12Frames {
     return frame("Cj", (text + " ".repeat(blanks)).getBytes(StandardCharsets.US_ASCII));
   }
 
-  private static void putTime(ByteBuffer out, Instant utc, boolean tellsUtc) {
-    Instant told = tellsUtc ? utc : utc.plusSeconds(UTC_OFFSET);
+  /** {@code @@Hb}: position and status of twelve channels, without its satellites. */
+  static byte[] shortPosition(Moment moment) {
+    AntennaState antenna = moment.antenna();
+    ByteBuffer out = ByteBuffer.allocate(54 - AROUND_PAYLOAD);
+    putTime(out, moment);
+    putPosition(out, antenna.position());
+    putSpeed(out, antenna.speed());
+    putSpeed(out, antenna.speed());
+    out.putShort((short) Math.round(antenna.course() * 10));
+    out.putShort((short) moment.dilution());
+    out.put((byte) moment.sky().visible()).put((byte) moment.sky().tracked(12));
+    out.putShort((short) moment.status()).putShort((short) 0);
+    out.put("EMU001".getBytes(StandardCharsets.US_ASCII));
+    return frame("Hb", out.array());
+  }
+
+  /** {@code @@Bb}: the satellites above the horizon. */
+  static byte[] visible(Moment moment) {
+    ByteBuffer out = ByteBuffer.allocate(92 - AROUND_PAYLOAD);
+    List<Sky.Channel> channels = moment.sky().channels();
+    out.put((byte) channels.size());
+    for (Sky.Channel channel : channels) {
+      out.put((byte) channel.satellite()).putShort((short) 0); // no doppler
+      out.put((byte) channel.elevation()).putShort((short) channel.azimuth()).put((byte) 0);
+    }
+    return frame("Bb", out.array());
+  }
+
+  /** {@code @@Hn}: time RAIM of twelve channels. */
+  static byte[] timeRaim12(Moment moment, boolean on) {
+    ByteBuffer out = ByteBuffer.allocate(78 - AROUND_PAYLOAD);
+    putTimeRaim(out, moment, on);
+    out.putInt(0); // no satellite taken out
+    putTimeErrors(out, moment, 12);
+    return frame("Hn", out.array());
+  }
+
+  /** {@code @@En}: time RAIM of eight channels. */
+  static byte[] timeRaim8(Moment moment, boolean on) {
+    ByteBuffer out = ByteBuffer.allocate(69 - AROUND_PAYLOAD);
+    out.put((byte) 1).put((byte) (on ? 1 : 0)).putShort((short) 10).put((byte) 2);
+    out.put(new byte[10]);
+    putTimeRaim(out, moment, on);
+    putTimeErrors(out, moment, 8);
+    return frame("En", out.array());
+  }
+
+  /** Pulse, its scale, solution status, RAIM status. */
+  private static void putTimeRaim(ByteBuffer out, Moment moment, boolean on) {
+    boolean works = on && moment.hasFix();
+    out.put((byte) 1).put((byte) (moment.tellsUtc() ? 0 : 1));
+    out.put((byte) (works ? 0 : 2)).put((byte) (works ? 0 : 2));
+  }
+
+  /** Accuracy, sawtooth, and the time by each satellite. */
+  private static void putTimeErrors(ByteBuffer out, Moment moment, int channels) {
+    out.putShort((short) 54).put((byte) -7);
+    for (int i = 0; i < channels; i++) {
+      boolean there = i < moment.sky().channels().size();
+      out.put((byte) (there ? moment.sky().channels().get(i).satellite() : 0)).putInt(0);
+    }
+  }
+
+  /** {@code @@Gb}: the receiver's date and time; its offset of local time is zero. */
+  static byte[] clock(Instant utc) {
+    LocalDateTime time = LocalDateTime.ofInstant(utc, ZoneOffset.UTC);
+    ByteBuffer out = ByteBuffer.allocate(17 - AROUND_PAYLOAD);
+    out.put((byte) time.getMonthValue()).put((byte) time.getDayOfMonth());
+    out.putShort((short) time.getYear());
+    out.put((byte) time.getHour()).put((byte) time.getMinute()).put((byte) time.getSecond());
+    return frame("Gb", out.array());
+  }
+
+  /** The date and time that {@code @@Gb} sets; null where it is none, which asks. */
+  static @Nullable Instant clockIn(byte[] argument) {
+    ByteBuffer in = ByteBuffer.wrap(argument);
+    int month = in.get();
+    int day = in.get();
+    try {
+      return LocalDateTime.of(in.getShort(), month, day, in.get(), in.get(), in.get())
+          .toInstant(ZoneOffset.UTC);
+    } catch (DateTimeException e) {
+      return null;
+    }
+  }
+
+  /** {@code @@As}: the position to hold. */
+  static byte[] held(GeoPosition position) {
+    ByteBuffer out = ByteBuffer.allocate(20 - AROUND_PAYLOAD);
+    out.putInt((int) Math.round(position.latitude() * 3_600_000));
+    out.putInt((int) Math.round(position.longitude() * 3_600_000));
+    out.putInt((int) Math.round(position.height() * 100));
+    return frame("As", out.array());
+  }
+
+  /** The position that {@code @@As} sets; null where it is none, which asks. */
+  static @Nullable GeoPosition heldIn(byte[] argument) {
+    ByteBuffer in = ByteBuffer.wrap(argument);
+    double latitude = in.getInt() / 3.6e6;
+    double longitude = in.getInt() / 3.6e6;
+    return Math.abs(latitude) > 90 || Math.abs(longitude) > 180
+        ? null
+        : new GeoPosition(latitude, longitude, in.getInt() / 100.0);
+  }
+
+  /**
+   * What a message tells of.
+   *
+   * @param utc the time by the receiver's clock
+   * @param tellsUtc whether it is told as UTC; otherwise as GPS time
+   * @param hasFix whether it has found its satellites
+   * @param holds whether its position is held
+   * @param antenna where it says it is
+   */
+  record Moment(
+      Instant utc, boolean tellsUtc, boolean hasFix, boolean holds, AntennaState antenna) {
+
+    Sky sky() {
+      return hasFix ? Sky.found(utc) : Sky.searching(utc);
+    }
+
+    /** Tenths; none while the position is held. */
+    int dilution() {
+      return hasFix && !holds ? 18 : 0;
+    }
+
+    int status() {
+      if (!hasFix) {
+        return ACQUIRING | TOO_FEW_SATELLITES;
+      }
+      return NARROW_BAND | (holds ? POSITION_HOLD : FIX_3D);
+    }
+  }
+
+  private static void putTime(ByteBuffer out, Moment moment) {
+    Instant utc = moment.utc();
+    Instant told = moment.tellsUtc() ? utc : utc.plusSeconds(UTC_OFFSET);
     LocalDateTime time = LocalDateTime.ofInstant(told, ZoneOffset.UTC);
     out.put((byte) time.getMonthValue()).put((byte) time.getDayOfMonth());
     out.putShort((short) time.getYear());

@@ -27,8 +27,17 @@ record Sky(int visible, List<Channel> channels) {
    * @param mode 0 to 8
    * @param carrierToNoise dB-Hz
    * @param ephemerisIssue issue of the ephemeris
+   * @param elevation above the horizon, degrees
+   * @param azimuth from true north, clockwise, degrees
    */
-  record Channel(int satellite, int mode, int carrierToNoise, int ephemerisIssue) {}
+  record Channel(
+      int satellite, int mode, int carrierToNoise, int ephemerisIssue, int elevation, int azimuth) {
+
+    /** Whether the position may rest on it. */
+    boolean isUsed() {
+      return mode == AVAILABLE;
+    }
+  }
 
   /** The sky of a receiver that has found its satellites. */
   static Sky found(Instant time) {
@@ -56,7 +65,9 @@ record Sky(int visible, List<Channel> channels) {
               satellite,
               isFound ? AVAILABLE : CODE_ACQUIRE,
               isFound ? strength : 0,
-              isFound ? 2 * satellite : 0));
+              isFound ? 2 * satellite : 0,
+              10 + 8 * i,
+              (satellite * 37) % 360));
     }
     return new Sky(VISIBLE, List.copyOf(channels));
   }

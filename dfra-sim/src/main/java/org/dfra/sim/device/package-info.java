@@ -3,13 +3,15 @@
  * driver is what a simulated robot runs.
  *
  * <pre>
- *   AntennaPath ---&gt; M12Device ---&gt; UartLine ---&gt; M12Emulator &lt;==tcp==&gt; a driver
- *   where it is      what it says   how fast       over what
+ *   AntennaPath ---&gt; SerialDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
+ *   where it is      what it says      how fast       over what
+ *                    M12Device, NmeaDevice, UbxDevice, GpsdDevice
  * </pre>
  *
- * <p>Enter at {@link org.dfra.sim.device.M12Emulator} for a receiver behind a TCP port, at {@link
- * org.dfra.sim.device.M12EmulatorMain} for one as a process. {@link org.dfra.sim.device.M12Device}
- * is the protocol alone and knows no thread: it can be stepped together with a clock.
+ * <p>Enter at {@link org.dfra.sim.device.DeviceEmulator} for a device behind a TCP port, at {@link
+ * org.dfra.sim.device.ReceiverEmulatorMain} for a receiver as a process. A {@link
+ * org.dfra.sim.device.SerialDevice} is the protocol alone and knows no thread: it can be stepped
+ * together with a clock.
  *
  * <p>Nothing here uses a driver's code: encoder and decoder check each other.
  */

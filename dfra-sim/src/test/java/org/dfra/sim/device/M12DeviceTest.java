@@ -8,10 +8,17 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import org.dfra.drivers.gps.m12.HoldPosition;
+import org.dfra.drivers.gps.m12.M12Commands;
 import org.dfra.drivers.gps.m12.M12Message;
 import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.M12PositionMessage;
-import org.dfra.drivers.gps.m12.OtherMessage;
+import org.dfra.drivers.gps.m12.PositionControl;
+import org.dfra.drivers.gps.m12.ReceiverClock;
+import org.dfra.drivers.gps.m12.TimeRaim;
+import org.dfra.drivers.gps.m12.TimeScale;
+import org.dfra.drivers.gps.m12.UtcOffset;
+import org.dfra.drivers.gps.m12.VisibleSatellites;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.junit.jupiter.api.Test;
@@ -84,11 +91,58 @@ class M12DeviceTest {
   void changesAndTellsItsTimeScale() {
     command(device, ASK_TIME_SCALE + GPS_TIME + HA_ONCE);
     run(device, Duration.ofSeconds(1));
-    assertThat(heard.get(0)).isEqualTo(new OtherMessage("Aw", new byte[] {1}));
-    assertThat(heard.get(1)).isEqualTo(new OtherMessage("Aw", new byte[] {0}));
+    assertThat(heard.get(0)).isEqualTo(new TimeScale(true));
+    assertThat(heard.get(1)).isEqualTo(new TimeScale(false));
     M12PositionMessage position = (M12PositionMessage) heard.get(2);
     assertThat(position.time().toInstant()).isEqualTo(BEGIN.plusSeconds(18));
     assertThat(position.utc()).isEqualTo(BEGIN);
+  }
+
+  @Test
+  void holdsItsPositionWhenItIsToldTo() {
+    say(M12Commands.positionControl(PositionControl.Mode.HOLD));
+    say(M12Commands.shortPosition(0));
+    say(M12Commands.askHoldPosition());
+    run(device, Duration.ofSeconds(1));
+    assertThat(heard.get(0)).isEqualTo(new PositionControl(PositionControl.Mode.HOLD));
+    M12PositionMessage position = (M12PositionMessage) heard.get(1);
+    assertThat(position.id()).isEqualTo("Hb");
+    assertThat(position.mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
+    assertThat(((HoldPosition) heard.get(2)).position()).isEqualTo(position.position());
+  }
+
+  @Test
+  void tellsItsSatellitesTheirIntegrityAndTheOffsetOfUtc() {
+    say(M12Commands.visibleSatellites(false));
+    say(M12Commands.timeRaimOf12Channels(0));
+    say(M12Commands.timeRaimOn());
+    say(M12Commands.timeRaimOf12Channels(0));
+    say(M12Commands.timeRaimOf8Channels(0));
+    say(M12Commands.utcOffset());
+    run(device, Duration.ofSeconds(1));
+    assertThat(((VisibleSatellites) heard.get(0)).satellites()).hasSize(9);
+    assertThat(((TimeRaim) heard.get(1)).solution()).isEqualTo(TimeRaim.Solution.UNKNOWN);
+    assertThat(heard.get(2).id()).isEqualTo("Ge");
+    assertThat(((TimeRaim) heard.get(3)).solution()).isEqualTo(TimeRaim.Solution.OK);
+    assertThat(((TimeRaim) heard.get(4)).sawtooth()).isEqualTo(-7);
+    assertThat(heard.get(5)).isEqualTo(new UtcOffset(18));
+  }
+
+  @Test
+  void takesTheTimeWhileItHasNoFixAndKnowsBetterAfterwards() {
+    M12Device cold = device(9600, Duration.ofSeconds(2));
+    Instant wrong = Instant.parse("2001-02-03T04:05:06Z");
+    byte[] set = M12Commands.time(wrong);
+    cold.receive(set, 0, set.length, now);
+    command(cold, HA_ONCE);
+    run(cold, Duration.ofSeconds(3));
+    cold.receive(set, 0, set.length, now);
+    run(cold, Duration.ofSeconds(1));
+    assertThat(((ReceiverClock) heard.get(0)).time().toInstant()).isEqualTo(wrong);
+    assertThat(((M12PositionMessage) heard.get(1)).utc()).isEqualTo(wrong);
+    assertThat(((ReceiverClock) heard.get(2)).time().toInstant())
+        .as("it knows better")
+        .isEqualTo("2026-01-21T07:33:32Z");
   }
 
   @Test
@@ -156,6 +210,10 @@ class M12DeviceTest {
   private M12Device device(int baud, Duration timeToFirstFix) {
     GeoPosition place = new GeoPosition(52.910313611, 6.866706667, 55.91);
     return new M12Device(AntennaPath.fixed(place), baud, timeToFirstFix);
+  }
+
+  private void say(byte[] command) {
+    device.receive(command, 0, command.length, now);
   }
 
   private void command(M12Device to, String hex) {

@@ -67,8 +67,8 @@ class M12DriverTest {
       assertThat(fix.satellitesTracked()).isEqualTo(9);
       // both live by the same clock: what is left is the way of the bytes and the looks at it
       assertThat(gps.time().hostOffset()).isBetween(Duration.ZERO, Duration.ofSeconds(5));
-      await().until(() -> gps.receiver().isPresent());
-      assertThat(gps.receiver().orElseThrow().model()).isEqualTo("P283T12T11");
+      await().until(() -> gps.identified().isPresent());
+      assertThat(gps.identified().orElseThrow().model()).isEqualTo("P283T12T11");
       assertThat(gps.counts().malformed()).isZero();
     }
   }

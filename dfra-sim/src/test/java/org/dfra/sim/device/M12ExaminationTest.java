@@ -62,11 +62,17 @@ class M12ExaminationTest {
 
   @Test
   void passesItsTestsWhenAllIsWell() {
-    assertThat(gps.tests()).containsExactly("link", "identification", "positions", "antenna");
+    assertThat(gps.tests())
+        .containsExactly(
+            "link", "positions", "satellites", "identification", "antenna", "integrity");
+    await()
+        .until(() -> gps.test("integrity").passed()); // the first @@Hn comes after the first @@Ha
     for (String test : gps.tests()) {
       assertThat(gps.test(test)).as(test).matches(Diagnosis::passed);
     }
     assertThat(gps.test("identification").finding()).isEqualTo("it says it is P283T12T11");
+    assertThat(gps.test("satellites").finding())
+        .startsWith("9 in view, 9 heard, 9 used: G14 10° up, 158° from north, ");
     assertThat(gps.preconditions().get(0))
         .hasToString(
             "Precondition[quantity=temperature of the receiver, least=-40.0, most=85.0, unit=°C]");
@@ -109,6 +115,13 @@ class M12ExaminationTest {
     assertThat(mended.finding()).contains("set to its defaults");
     awaitReadiness(Readiness.READY);
     assertThat(gps.test("positions").passed()).isTrue();
+  }
+
+  @Test
+  void setsTheReceiversClock() {
+    Diagnosis set = gps.recover("set_time");
+    assertThat(set).as(set.finding()).matches(Diagnosis::passed);
+    assertThat(set.finding()).startsWith("the receiver's clock shows 2026-01-21T");
   }
 
   @Test

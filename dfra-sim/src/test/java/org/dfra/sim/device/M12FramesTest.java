@@ -30,7 +30,9 @@ class M12FramesTest {
   @Test
   void laysOutTheTwelveChannelMessageAsTheGuideDoes() {
     GeoPosition place = new GeoPosition(190_477_129 / 3.6e6, 24_720_144 / 3.6e6, 55.91);
-    byte[] frame = M12Frames.position12(TIME, true, true, new AntennaState(place, 0, 0));
+    byte[] frame =
+        M12Frames.position12(
+            new M12Frames.Moment(TIME, true, true, false, new AntennaState(place, 0, 0)));
     assertThat(frame).hasSize(154);
     // head, date, time and four coordinates: the bytes a real receiver sent at this place and time
     assertThat(HexFormat.of().formatHex(frame, 0, 31))
@@ -48,7 +50,8 @@ class M12FramesTest {
   @Test
   void theDriverReadsTheTwelveChannelMessage() {
     Position12Channels message =
-        (Position12Channels) decoded(M12Frames.position12(TIME, true, true, ANTENNA));
+        (Position12Channels)
+            decoded(M12Frames.position12(new M12Frames.Moment(TIME, true, true, false, ANTENNA)));
     assertThat(message.utc()).isEqualTo(TIME);
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(message.position().latitude()).isCloseTo(PLACE.latitude(), within(HALF_MAS));
@@ -69,7 +72,7 @@ class M12FramesTest {
 
   @Test
   void theDriverReadsTheEightChannelMessage() {
-    byte[] frame = M12Frames.position8(TIME, true, true, ANTENNA);
+    byte[] frame = M12Frames.position8(new M12Frames.Moment(TIME, true, true, false, ANTENNA));
     assertThat(frame).hasSize(76);
     Position8Channels message = (Position8Channels) decoded(frame);
     assertThat(message.utc()).isEqualTo(TIME);
@@ -83,20 +86,23 @@ class M12FramesTest {
   @Test
   void aReceiverThatSearchesHasNoFix() {
     Position12Channels message =
-        (Position12Channels) decoded(M12Frames.position12(TIME, true, false, ANTENNA));
+        (Position12Channels)
+            decoded(M12Frames.position12(new M12Frames.Moment(TIME, true, false, false, ANTENNA)));
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.NONE);
     assertThat(message.status().state()).isEqualTo(ReceiverStatus.State.ACQUIRING);
     assertThat(message.status().tooFewSatellites()).isTrue();
     assertThat(message.tracked()).isEqualTo(2);
     Position8Channels old =
-        (Position8Channels) decoded(M12Frames.position8(TIME, true, false, ANTENNA));
+        (Position8Channels)
+            decoded(M12Frames.position8(new M12Frames.Moment(TIME, true, false, false, ANTENNA)));
     assertThat(old.mode()).isEqualTo(GpsFix.Mode.NONE);
   }
 
   @Test
   void gpsTimeIsAheadOfUtcAndTheDriverConvertsIt() {
     Position12Channels message =
-        (Position12Channels) decoded(M12Frames.position12(TIME, false, true, ANTENNA));
+        (Position12Channels)
+            decoded(M12Frames.position12(new M12Frames.Moment(TIME, false, true, false, ANTENNA)));
     assertThat(message.time().second()).isEqualTo((29 + 18) % 60);
     assertThat(message.utc()).isEqualTo(TIME);
   }
@@ -120,7 +126,9 @@ class M12FramesTest {
       for (double longitude : new double[] {-180, 0, 180}) {
         AntennaState corner = new AntennaState(new GeoPosition(latitude, longitude, -400), 0, 0);
         Position12Channels message =
-            (Position12Channels) decoded(M12Frames.position12(TIME, true, true, corner));
+            (Position12Channels)
+                decoded(
+                    M12Frames.position12(new M12Frames.Moment(TIME, true, true, false, corner)));
         assertThat(message.position().toGeoPosition()).isEqualTo(corner.position());
       }
     }

@@ -1,5 +1,9 @@
 package org.dfra.drivers.gps.m12;
 
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneOffset;
+
 /** Commands to the receiver, as the bytes to be sent. Source: Motorola Oncore M12+ user's guide. */
 public final class M12Commands {
 
@@ -31,6 +35,96 @@ public final class M12Commands {
   /** {@code @@Cf}: be as when it left the factory, sending nothing. Answered by the same. */
   public static byte[] defaults() {
     return encode("Cf");
+  }
+
+  /**
+   * {@code @@Hb}: the short position message.
+   *
+   * @param rate as for {@link #positionOf12Channels}
+   */
+  public static byte[] shortPosition(int rate) {
+    return encode("Hb", checkedRate(rate));
+  }
+
+  /**
+   * {@code @@Bb}: the satellites above the horizon, whenever they change.
+   *
+   * @param on whether to tell them; otherwise once now and no more
+   */
+  public static byte[] visibleSatellites(boolean on) {
+    return encode("Bb", on ? 1 : 0);
+  }
+
+  /**
+   * {@code @@Hn}: time RAIM of twelve channels.
+   *
+   * @param rate as for {@link #positionOf12Channels}
+   */
+  public static byte[] timeRaimOf12Channels(int rate) {
+    return encode("Hn", checkedRate(rate));
+  }
+
+  /** {@code @@Ge}: time RAIM on (1). */
+  public static byte[] timeRaimOn() {
+    return encode("Ge", 1);
+  }
+
+  /**
+   * {@code @@En}: time RAIM of eight channels, switched on, with an alarm limit of 1 µs and a pulse
+   * whenever a satellite is tracked.
+   *
+   * @param rate as for {@link #positionOf12Channels}
+   */
+  public static byte[] timeRaimOf8Channels(int rate) {
+    return encode("En", checkedRate(rate), 1, 0, 10, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  }
+
+  /** {@code @@Gd}: solve for this. Answered by the same. */
+  public static byte[] positionControl(PositionControl.Mode mode) {
+    return encode("Gd", mode.ordinal());
+  }
+
+  /** {@code @@At}: hold no position (0); for receivers of eight channels. */
+  public static byte[] holdOff() {
+    return encode("At", 0);
+  }
+
+  /** {@code @@As}: which position would be held? */
+  public static byte[] askHoldPosition() {
+    int[] out = new int[13];
+    out[0] = 0x7F; // latitude, longitude and height out of range
+    out[4] = 0x7F;
+    out[8] = 0x7F;
+    out[1] = out[2] = out[3] = out[5] = out[6] = out[7] = out[9] = out[10] = out[11] = 0xFF;
+    out[12] = 0xFF;
+    return encode("As", out);
+  }
+
+  /**
+   * {@code @@Gb}: the date and time, for a receiver that has just been switched on. One that tracks
+   * satellites knows better and ignores it. Answered by the same.
+   *
+   * @param time the time; the receiver takes whole seconds
+   */
+  public static byte[] time(Instant time) {
+    LocalDateTime utc = LocalDateTime.ofInstant(time, ZoneOffset.UTC);
+    return encode(
+        "Gb",
+        utc.getMonthValue(),
+        utc.getDayOfMonth(),
+        utc.getYear() >> 8,
+        utc.getYear(),
+        utc.getHour(),
+        utc.getMinute(),
+        utc.getSecond(),
+        0,
+        0,
+        0);
+  }
+
+  /** {@code @@Bo}: how far is GPS time ahead of UTC? Told whenever it changes. */
+  public static byte[] utcOffset() {
+    return encode("Bo", 1);
   }
 
   /** {@code @@Aw}: tell time as UTC (1), not as GPS time (0). */

@@ -1,7 +1,9 @@
 package org.dfra.drivers.gps.m12;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.dfra.drivers.gps.m12.M12Fields.MalformedException;
 
 /**
@@ -28,6 +30,17 @@ public final class M12Decoder {
       return switch (id) {
         case "Ha" -> position12(fields);
         case "Ea" -> position8(fields);
+        case "Hb" -> shortPosition(fields);
+        case "Bb" -> visible(fields);
+        case "Hn" -> timeRaim(fields, id, 4, fields.u32(8), 12);
+        case "En" -> timeRaim(fields, id, 19, 0, 23);
+        case "Gd" ->
+            new PositionControl(
+                PositionControl.Mode.values()[fields.within("mode", fields.u8(4), 0, 3)]);
+        case "Gb" -> new ReceiverClock(fields.clock(), fields.localOffset(11));
+        case "As" -> new HoldPosition(fields.heldPosition());
+        case "Bo" -> new UtcOffset((byte) fields.u8(4));
+        case "Aw" -> new TimeScale(fields.within("time scale", fields.u8(4), 0, 1) == 1);
         case "Cj" -> ReceiverIdentification.of(bytes, offset + 4, offset + length - 3);
         default -> new OtherMessage(id, Arrays.copyOfRange(bytes, offset + 4, offset + length - 3));
       };
@@ -48,7 +61,6 @@ public final class M12Decoder {
               fields.u8(at + 3),
               fields.u16(at + 4));
     }
-    int sign = fields.u8(142) == 0 ? 1 : -1;
     return new Position12Channels(
         fields.time(),
         fields.position(15),
@@ -65,8 +77,53 @@ public final class M12Decoder {
         fields.u32(135),
         fields.i16(139) / 2.0,
         UtcState.of(fields.u8(141)),
-        sign * (60 * fields.u8(143) + fields.u8(144)),
+        fields.localOffset(142),
         fields.text(145, 6));
+  }
+
+  private static ShortPosition shortPosition(M12Fields fields) throws MalformedException {
+    return new ShortPosition(
+        fields.time(),
+        fields.position(15),
+        fields.speed(31),
+        fields.speed(33),
+        fields.heading(35),
+        fields.dilution(37),
+        fields.u8(39),
+        fields.within("satellites tracked", fields.u8(40), 0, 12),
+        new ReceiverStatus(fields.u16(41)),
+        fields.text(45, 6));
+  }
+
+  private static VisibleSatellites visible(M12Fields fields) throws MalformedException {
+    int count = fields.u8(4);
+    int told = Math.min(count, 12);
+    List<VisibleSatellites.Place> places = new ArrayList<>(told);
+    for (int i = 0; i < told; i++) {
+      int at = 5 + 7 * i;
+      places.add(
+          new VisibleSatellites.Place(
+              fields.u8(at),
+              fields.i16(at + 1),
+              fields.within("elevation", fields.u8(at + 3), 0, 90),
+              fields.within("azimuth", fields.u16(at + 4), 0, 360),
+              fields.u8(at + 6)));
+    }
+    return new VisibleSatellites(count, places);
+  }
+
+  /** The two messages order their fields alike, but for the satellites taken out. */
+  private static TimeRaim timeRaim(
+      M12Fields fields, String id, int pulseAt, long removed, int accuracyAt)
+      throws MalformedException {
+    return new TimeRaim(
+        id,
+        fields.u8(pulseAt) == 1,
+        TimeRaim.Solution.values()[fields.within("solution status", fields.u8(pulseAt + 2), 0, 2)],
+        TimeRaim.Ability.values()[fields.within("RAIM status", fields.u8(pulseAt + 3), 0, 2)],
+        removed,
+        fields.u16(accuracyAt),
+        (byte) fields.u8(accuracyAt + 2));
   }
 
   private static Position8Channels position8(M12Fields fields) throws MalformedException {

@@ -48,8 +48,16 @@ record M12Fields(byte[] bytes, int start) {
 
   /** Date and time at offsets 4 to 14, as in all position messages. */
   M12Time time() throws MalformedException {
+    return time(u32(11));
+  }
+
+  /** Date and time at offsets 4 to 10, to the second. */
+  M12Time clock() throws MalformedException {
+    return time(0);
+  }
+
+  private M12Time time(long nanos) throws MalformedException {
     try {
-      long nanos = u32(11);
       return new M12Time(
           LocalDate.of(u16(6), u8(4), u8(5)),
           u8(8),
@@ -59,6 +67,22 @@ record M12Fields(byte[] bytes, int start) {
     } catch (DateTimeException e) {
       throw new MalformedException(String.valueOf(e.getMessage()));
     }
+  }
+
+  /** Sign (zero is +), hours and minutes of an offset, as minutes. */
+  int localOffset(int offset) {
+    return (u8(offset) == 0 ? 1 : -1) * (60 * u8(offset + 1) + u8(offset + 2));
+  }
+
+  /** Latitude, longitude and a height above the ellipsoid (type 0) or mean sea level (type 1). */
+  M12Position heldPosition() throws MalformedException {
+    int height = within("height (cm)", i32(12), LOWEST, HIGHEST);
+    boolean isEllipsoid = within("type of height", u8(16), 0, 1) == 0;
+    return new M12Position(
+        within("latitude (mas)", i32(4), -324_000_000, 324_000_000) / PER_DEGREE,
+        within("longitude (mas)", i32(8), -648_000_000, 648_000_000) / PER_DEGREE,
+        isEllipsoid ? height / 100.0 : Double.NaN,
+        isEllipsoid ? 0 : height / 100.0);
   }
 
   /** Latitude, longitude, GPS height and MSL height, four bytes each. */

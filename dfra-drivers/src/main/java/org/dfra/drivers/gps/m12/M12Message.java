@@ -2,7 +2,17 @@ package org.dfra.drivers.gps.m12;
 
 /** What a receiver said, decoded from one intact frame. */
 public sealed interface M12Message
-    permits M12PositionMessage, ReceiverIdentification, OtherMessage, MalformedMessage {
+    permits M12PositionMessage,
+        VisibleSatellites,
+        TimeRaim,
+        PositionControl,
+        HoldPosition,
+        ReceiverClock,
+        UtcOffset,
+        TimeScale,
+        ReceiverIdentification,
+        OtherMessage,
+        MalformedMessage {
 
   /** The frame's ID: two letters, such as {@code Ha}. */
   String id();

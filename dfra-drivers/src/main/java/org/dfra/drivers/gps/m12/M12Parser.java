@@ -3,6 +3,7 @@ package org.dfra.drivers.gps.m12;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.dfra.drivers.frame.StreamCounts;
 
 /** Bytes in, messages out: framer and decoder in one. Confined to one thread. Never throws. */
 public final class M12Parser {
@@ -38,8 +39,8 @@ public final class M12Parser {
   }
 
   /** What has come so far. */
-  public M12Counts counts() {
-    return new M12Counts(framer.frames(), framer.droppedBytes(), malformed);
+  public StreamCounts counts() {
+    return new StreamCounts(framer.frames(), framer.droppedBytes(), malformed);
   }
 
   private void decode(byte[] bytes, int offset, int length) {

@@ -6,7 +6,7 @@ import org.dfra.flow.sensor.GpsFix;
 
 /** A message that tells position, time and satellites. */
 public sealed interface M12PositionMessage extends M12Message
-    permits Position12Channels, Position8Channels {
+    permits Position12Channels, ShortPosition, Position8Channels {
 
   /** Date and time of the solution, in the scale the receiver is set to. */
   M12Time time();

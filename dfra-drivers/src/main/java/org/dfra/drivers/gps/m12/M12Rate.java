@@ -1,6 +1,8 @@
 package org.dfra.drivers.gps.m12;
 
 import java.time.Duration;
+import org.dfra.core.config.Parameters;
+import org.dfra.drivers.gps.Pace;
 
 /**
  * How often the receiver is to tell its position: at one rate while it has clients, at another,
@@ -9,7 +11,10 @@ import java.time.Duration;
  * <p>When the rate goes up, positions are judged by the slower one until the first at the new rate
  * has come. Safe for use by several threads.
  */
-final class M12Rate {
+final class M12Rate implements Pace {
+
+  /** Seconds; the receiver takes no more. */
+  static final int LONGEST = 255;
 
   private int working; // all guarded by this
   private int idle;
@@ -24,6 +29,28 @@ final class M12Rate {
     this.working = working;
     this.idle = idle;
     this.judgedBy = working;
+  }
+
+  /**
+   * Reads {@code rate} and {@code idle_rate}.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if one is no number of seconds it can be
+   */
+  static M12Rate in(Parameters parameters) {
+    return new M12Rate(seconds(parameters, "rate", 1), seconds(parameters, "idle_rate", 10));
+  }
+
+  private static int seconds(Parameters parameters, String name, int fallback) {
+    double seconds = parameters.number(name, fallback, 1, LONGEST);
+    if (seconds != Math.rint(seconds)) {
+      throw parameters.fault(name, "a whole number of seconds", null);
+    }
+    return (int) seconds;
+  }
+
+  @Override
+  public double seconds() {
+    return now();
   }
 
   synchronized int working() {
@@ -55,12 +82,12 @@ final class M12Rate {
   }
 
   /** A position has come at the rate that is wanted now. */
-  synchronized void arrived() {
+  synchronized void arrivedAtThisRate() {
     judgedBy = now();
   }
 
-  /** How old a position may be, and how long the receiver silent: three periods and 2 s. */
-  synchronized Duration longestAge() {
+  @Override
+  public synchronized Duration longestAge() {
     return Duration.ofSeconds(3L * judgedBy + 2);
   }
 }

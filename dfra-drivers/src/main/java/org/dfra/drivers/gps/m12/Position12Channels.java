@@ -57,20 +57,12 @@ public record Position12Channels(
 
   @Override
   public GpsFix.Mode mode() {
-    return switch (status.state()) {
-      case FIX_3D -> GpsFix.Mode.FIX_3D;
-      case FIX_2D -> GpsFix.Mode.FIX_2D;
-      case POSITION_HOLD -> GpsFix.Mode.POSITION_HOLD;
-      case RESERVED_0, RESERVED_1, BAD_GEOMETRY, ACQUIRING, PROPAGATE -> GpsFix.Mode.NONE;
-    };
+    return status.mode();
   }
 
   @Override
   public String stateInWords() {
-    String state = status.state().inWords() + ", " + tracked + " of " + visible + " tracked";
-    return status.antenna() == ReceiverStatus.Antenna.OK
-        ? state
-        : state + ", antenna " + status.antenna();
+    return status.inWords(tracked, visible);
   }
 
   /** {@inheritDoc} Where the receiver tells GPS time and knows the offset, it is converted. */

@@ -1,5 +1,7 @@
 package org.dfra.drivers.gps.m12;
 
+import org.dfra.flow.sensor.GpsFix;
+
 /**
  * The receiver status word of the twelve-channel messages.
  *
@@ -61,6 +63,22 @@ public record ReceiverStatus(int bits) {
   /** What the receiver does. */
   public State state() {
     return State.BY_BITS[bits >> 13 & 7];
+  }
+
+  /** What was solved for. */
+  GpsFix.Mode mode() {
+    return switch (state()) {
+      case FIX_3D -> GpsFix.Mode.FIX_3D;
+      case FIX_2D -> GpsFix.Mode.FIX_2D;
+      case POSITION_HOLD -> GpsFix.Mode.POSITION_HOLD;
+      case RESERVED_0, RESERVED_1, BAD_GEOMETRY, ACQUIRING, PROPAGATE -> GpsFix.Mode.NONE;
+    };
+  }
+
+  /** What the receiver does and with how many satellites, for people. */
+  String inWords(int tracked, int visible) {
+    String words = state().inWords() + ", " + tracked + " of " + visible + " tracked";
+    return antenna() == Antenna.OK ? words : words + ", antenna " + antenna();
   }
 
   /** What is known of the antenna. */

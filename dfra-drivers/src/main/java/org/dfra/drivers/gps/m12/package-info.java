@@ -2,7 +2,7 @@
  * The Motorola Oncore M12+ and its relatives: GPS receivers speaking Motorola's binary protocol.
  *
  * <pre>
- *   bytes --&gt; M12Framer --frames--&gt; M12Decoder --&gt; M12Message --&gt; M12Dialogue --&gt; M12PlusImpl
+ *   bytes --&gt; M12Framer --frames--&gt; M12Decoder --&gt; M12Message --&gt; M12Protocol --&gt; M12PlusImpl
  *             finds frames,         pure function,                one link,       the module:
  *             counts what it drops  never throws                  reader thread   any thread asks
  * </pre>

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
+import java.time.LocalDate;
 import java.time.LocalDateTime;
 import org.dfra.drivers.fixture.Frames;
+import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,7 +60,76 @@ class M12DecoderTest {
     parser.feed(frame, 0, frame.length);
     parser.feed(new byte[5], 0, 5);
     assertThat(messages).singleElement().isInstanceOf(MalformedMessage.class);
-    assertThat(parser.counts()).isEqualTo(new M12Counts(1, 5, 1));
+    assertThat(parser.counts()).isEqualTo(new StreamCounts(1, 5, 1));
+  }
+
+  @Test
+  void decodesWhatTheReceiverAcknowledges() {
+    assertThat(decode(M12Commands.positionControl(PositionControl.Mode.SURVEY)))
+        .isEqualTo(new PositionControl(PositionControl.Mode.SURVEY));
+    assertThat(decode(M12Commands.utcTime())).isEqualTo(new TimeScale(true));
+    assertThat(decode(M12Commands.encode("Bo", 18))).isEqualTo(new UtcOffset(18));
+    assertThat(new UtcOffset(0).isKnown()).isFalse();
+    assertThat(decode(M12Commands.time(Instant.parse("2026-11-21T13:01:29.9Z"))))
+        .isEqualTo(new ReceiverClock(new M12Time(LocalDate.of(2026, 11, 21), 13, 1, 29, 0), 0));
+    assertThat(decode(M12Commands.encode("Gd", 4)))
+        .isEqualTo(new MalformedMessage("Gd", "mode 4 is outside 0 to 3"));
+    assertThat(decode(M12Commands.encode("Aw", 255))).isInstanceOf(MalformedMessage.class);
+    assertThat(decode(M12Commands.askHoldPosition())).isInstanceOf(MalformedMessage.class);
+  }
+
+  @Test
+  void readsTheShortPosition() {
+    byte[] frame = Frames.hb(TIME, 52.9, 6.8, Frames.FIX_3D);
+    frame = Frames.with(frame, 31, 130, 2);
+    frame = Frames.with(frame, 33, 120, 2);
+    frame = Frames.with(frame, 35, 3599, 2);
+    frame = Frames.with(frame, 37, 18, 2);
+    frame = Frames.with(frame, 39, 13 << 8 | 9, 2);
+    ShortPosition message = (ShortPosition) decode(frame);
+    assertThat(message.position()).isEqualTo(new M12Position(52.9, 6.8, 0, 0));
+    assertThat(message.toFix())
+        .isEqualTo(
+            new GpsFix(
+                GpsFix.Mode.FIX_3D,
+                new GeoPosition(52.9, 6.8, 0),
+                Instant.parse("2026-01-21T07:33:29.5Z"),
+                1.2,
+                359.9,
+                1.8,
+                13,
+                9));
+    assertThat(message.speed3d()).isEqualTo(1.3);
+    assertThat(message.knowsUtc()).isFalse();
+  }
+
+  @Test
+  void readsTimeRaimOfBothReceivers() {
+    int[] twelve = new int[71];
+    twelve[0] = 1; // pulse
+    twelve[2] = 2; // solution unknown
+    twelve[3] = 1; // detection only
+    twelve[7] = 0x80; // satellite 8 taken out
+    twelve[8] = 1; // accuracy 256 ns
+    twelve[10] = 0xF9; // sawtooth −7 ns
+    assertThat(decode(M12Commands.encode("Hn", twelve)))
+        .isEqualTo(
+            new TimeRaim(
+                "Hn", true, TimeRaim.Solution.UNKNOWN, TimeRaim.Ability.DETECTION, 0x80, 256, -7));
+    int[] eight = new int[62];
+    eight[15] = 1;
+    eight[20] = 54;
+    eight[21] = 20;
+    assertThat(decode(M12Commands.encode("En", eight)))
+        .isEqualTo(
+            new TimeRaim(
+                "En",
+                true,
+                TimeRaim.Solution.OK,
+                TimeRaim.Ability.DETECTION_AND_ISOLATION,
+                0,
+                54,
+                20));
   }
 
   @Test
@@ -143,10 +215,10 @@ class M12DecoderTest {
 
   @Test
   void deliversWhatHasNoDecoderAsItCame() {
-    assertThat(decode(M12Commands.encode("Bo", 18)))
-        .isEqualTo(new OtherMessage("Bo", new byte[] {18}))
-        .hasToString("OtherMessage[@@Bo 12]");
-    OtherMessage message = new OtherMessage("Bo", new byte[] {18});
+    assertThat(decode(M12Commands.encode("Bj", 18)))
+        .isEqualTo(new OtherMessage("Bj", new byte[] {18}))
+        .hasToString("OtherMessage[@@Bj 12]");
+    OtherMessage message = new OtherMessage("Bj", new byte[] {18});
     message.payload()[0] = 0;
     assertThat(message.payload()).containsExactly(18);
   }

@@ -26,6 +26,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.fixture.Frames;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
+import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.TimeReading;
@@ -49,6 +50,9 @@ class M12PlusImplTest {
   private static final Instant HOST = Instant.parse("2026-01-21T07:33:29.400Z");
   private static final byte[] FIX = Frames.ha(TIME, 52.91, 6.86, Frames.FIX_3D);
   private static final byte[] NO_FIX = Frames.ha(TIME, 0, 0, Frames.ACQUIRING);
+
+  /** How many commands the driver sends when the link is open. */
+  private static final int ORDERS = 9;
 
   private final StepTicker ticker = new StepTicker(false);
   private final ConcurrentLinkedQueue<ScriptedLink> links = new ConcurrentLinkedQueue<>();
@@ -74,14 +78,113 @@ class M12PlusImplTest {
   }
 
   @Test
-  void asksForIdentificationUtcAndPositions() {
+  void asksWhatItIsSetsItToASafeStateAndOrdersWhatItWants() {
     gps.start();
-    await().until(() -> link.written().size() == 3);
+    await().until(() -> link.written().size() == ORDERS);
     assertThat(link.written())
         .containsExactly(
             M12Commands.identification(),
             M12Commands.utcTime(),
-            M12Commands.positionOf12Channels(1));
+            M12Commands.positionControl(PositionControl.Mode.POSITION_3D),
+            M12Commands.positionOf12Channels(1),
+            M12Commands.timeRaimOn(),
+            M12Commands.timeRaimOf12Channels(1),
+            M12Commands.visibleSatellites(true),
+            M12Commands.utcOffset(),
+            M12Commands.askHoldPosition());
+  }
+
+  @Test
+  void repeatsWhatIsNotAcknowledgedAndThenSaysSo() {
+    gps.start();
+    link.say(FIX);
+    awaitReadiness(Readiness.READY);
+    link.say(M12Commands.utcTime());
+    link.say(M12Commands.timeRaimOn());
+    await().until(() -> gps.counts().frames() == 3);
+    for (int tries = 1; tries < 3; tries++) {
+      ticker.step(Duration.ofSeconds(3).plusNanos(1));
+      link.say(FIX);
+      int expected = ORDERS + tries;
+      await().until(() -> link.written().size() == expected);
+      assertThat(link.written().get(expected - 1))
+          .isEqualTo(M12Commands.positionControl(PositionControl.Mode.POSITION_3D));
+    }
+    ticker.step(Duration.ofSeconds(3).plusNanos(1));
+    link.say(FIX);
+    await()
+        .untilAsserted(
+            () ->
+                assertThat(warnings())
+                    .containsExactly(
+                        "atrv1/gps_front: the receiver has not acknowledged @@Gd, which it"
+                            + " should"));
+    assertThat(link.written()).hasSize(ORDERS + 2);
+  }
+
+  @Test
+  void tellsTheReceiverWhatToSolveForWhileItRuns() {
+    gps.start();
+    await().until(() -> link.written().size() == ORDERS);
+    assertThatThrownBy(() -> gps.setParameter("positioning", "guess"))
+        .hasMessageContaining(
+            "cannot be \"guess\", which is not position_3d, altitude_hold, hold or survey");
+    gps.setParameter("positioning", "altitude_hold");
+    await().until(() -> link.written().size() == ORDERS + 1);
+    assertThat(link.written().get(ORDERS))
+        .isEqualTo(M12Commands.positionControl(PositionControl.Mode.ALTITUDE_HOLD));
+  }
+
+  @Test
+  void shortPositionsKnowUtcByOtherMessages() {
+    ScriptedLink brief = new ScriptedLink(URL);
+    links.clear();
+    links.add(brief);
+    try (M12PlusImpl driver = driver(Map.of("link", URL, "positions", "short"))) {
+      driver.start();
+      brief.say(Frames.hb(TIME, 52.91, 6.86, Frames.FIX_3D));
+      await().until(() -> driver.readiness() == Readiness.READY);
+      assertThat(brief.written()).contains(M12Commands.shortPosition(1));
+      assertThat(driver.fix().position()).isEqualTo(new GeoPosition(52.91, 6.86, 0));
+      assertThatThrownBy(driver::time).hasMessageContaining("has not yet learned");
+      brief.say(M12Commands.utcTime());
+      brief.say(M12Commands.encode("Bo", 18));
+      brief.say(Frames.hb(TIME, 52.91, 6.86, Frames.FIX_3D));
+      await().until(() -> driver.counts().frames() == 4);
+      await()
+          .untilAsserted(() -> assertThat(driver.time().utc()).isEqualTo("2026-01-21T07:33:29Z"));
+      assertThat(parameter(driver, "utc_offset")).isEqualTo("18");
+    }
+  }
+
+  @Test
+  void showsSatellitesAndIntegrity() {
+    gps.start();
+    assertThat(parameter(gps, "integrity")).isEqualTo("not told");
+    byte[] fix = Frames.with(FIX, 57, 14 << 24 | 8 << 16 | 47 << 8, 4);
+    link.say(Frames.with(fix, 63, 23 << 24 | 1 << 16, 4));
+    int[] visible = new int[85];
+    visible[0] = 2;
+    System.arraycopy(new int[] {14, 0, 0, 41, 0, 60, 0}, 0, visible, 1, 7);
+    System.arraycopy(new int[] {9, 0, 0, 5, 1, 4, 0}, 0, visible, 8, 7);
+    link.say(M12Commands.encode("Bb", visible));
+    int[] raim = new int[71];
+    raim[2] = 1; // alarm
+    raim[9] = 54;
+    link.say(M12Commands.encode("Hn", raim));
+    await().until(() -> gps.counts().frames() == 3);
+    await()
+        .untilAsserted(
+            () ->
+                assertThat(parameter(gps, "satellites"))
+                    .isEqualTo(
+                        "3 in view, 1 heard, 1 used: G14 41° up, 60° from north, 47 dB-Hz, used;"
+                            + " G23 not heard; G09 5° up, 260° from north, not heard"));
+    assertThat(gps.test("integrity").finding())
+        .isEqualTo(
+            "ALARM, a wrong satellite would be detected and taken out, time accurate to 54 ns");
+    assertThat(gps.test("integrity").passed()).isFalse();
+    assertThat(gps.test("satellites").passed()).as("one is too few").isFalse();
   }
 
   @Test
@@ -162,7 +265,7 @@ class M12PlusImplTest {
                     "atrv1/gps_front is INITIALIZING: " + URL + ": no position frame for 5 s"));
     assertThat(link.isOpen()).isFalse();
     ticker.step(Duration.ofMillis(500));
-    await().until(() -> second.written().size() == 3); // told again what to send
+    await().until(() -> second.written().size() == ORDERS); // told again what to send
     second.say(FIX);
     awaitReadiness(Readiness.READY);
   }
@@ -240,41 +343,47 @@ class M12PlusImplTest {
   @Test
   void asksAnEightChannelReceiverForWhatItHas() {
     gps.start();
-    await().until(() -> link.written().size() == 3);
+    await().until(() -> link.written().size() == ORDERS);
     ticker.step(Duration.ofSeconds(2).plusNanos(1));
-    await().until(() -> link.written().size() == 4);
-    assertThat(link.written().get(3)).isEqualTo(M12Commands.positionOf8Channels(1));
+    await().until(() -> link.written().size() == ORDERS + 3);
+    assertThat(link.written().subList(ORDERS, ORDERS + 3))
+        .containsExactly(
+            M12Commands.holdOff(),
+            M12Commands.positionOf8Channels(1),
+            M12Commands.timeRaimOf8Channels(1));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
     awaitReadiness(Readiness.READY);
     assertThat(gps.fix().position()).isEqualTo(new GeoPosition(57.71, 12.02, 0));
     assertThat(gps.time().utc()).isEqualTo("2026-01-21T07:33:29Z");
+    await().until(() -> Integer.valueOf(8).equals(gps.receiver().channels()));
   }
 
   @Test
   void prefersTwelveChannelsToEightAndStopsTheEight() {
     gps.start();
-    await().until(() -> link.written().size() == 3);
+    await().until(() -> link.written().size() == ORDERS);
     ticker.step(Duration.ofSeconds(2).plusNanos(1));
-    await().until(() -> link.written().size() == 4);
+    await().until(() -> link.written().size() == ORDERS + 3);
     link.say(FIX);
-    await().until(() -> link.written().size() == 5);
-    assertThat(link.written().get(4)).isEqualTo(M12Commands.positionOf8Channels(0));
+    await().until(() -> link.written().size() == ORDERS + 5);
+    assertThat(link.written().get(ORDERS + 3)).isEqualTo(M12Commands.positionOf8Channels(0));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
     await().until(() -> gps.counts().frames() == 2);
     assertThat(gps.fix().position()).isEqualTo(new GeoPosition(52.91, 6.86, 0));
+    assertThat(gps.receiver().channels()).isEqualTo(12);
   }
 
   @Test
   void remembersWhatTheReceiverIs() {
-    assertThat(gps.receiver()).isEmpty();
+    assertThat(gps.identified()).isEmpty();
     gps.start();
     int[] payload = new int[287];
     for (int i = 0; i < payload.length; i++) {
       payload[i] = i < 13 ? "MODEL #  P283".charAt(i) : ' ';
     }
     link.say(M12Commands.encode("Cj", payload));
-    await().until(() -> gps.receiver().isPresent());
-    assertThat(gps.receiver().orElseThrow().model()).isEqualTo("P283");
+    await().until(() -> gps.identified().isPresent());
+    assertThat(gps.identified().orElseThrow().model()).isEqualTo("P283");
     assertThat(gps.identification().description()).contains("M12+");
   }
 
@@ -286,7 +395,7 @@ class M12PlusImplTest {
     link.say(impossible);
     link.say(FIX);
     awaitReadiness(Readiness.READY);
-    assertThat(gps.counts()).isEqualTo(new M12Counts(3, 0, 2));
+    assertThat(gps.counts()).isEqualTo(new StreamCounts(3, 0, 2));
     assertThat(warnings())
         .singleElement()
         .asString()
@@ -344,6 +453,8 @@ class M12PlusImplTest {
         "link | | parameter link is not set",
         "link | udp://x:1 | parameter link is \"udp://x:1\", which is not a usable link: link",
         "rate | 0 | parameter rate is \"0\", which is not a number from 1 to 255",
+        "positioning | fast | parameter positioning is \"fast\", which is not position_3d, altitude_hold",
+        "positions | none | parameter positions is \"none\", which is not full or short",
         "rate | 1.5 | parameter rate is \"1.5\", which is not a whole number of seconds",
         "reopen_first | 9 | parameter reopen_first is \"9\", which is not in order: reopen_first is",
       })
@@ -370,6 +481,14 @@ class M12PlusImplTest {
       throw new IOException(URL + ": refused");
     }
     return next;
+  }
+
+  private static String parameter(M12PlusImpl driver, String name) {
+    return driver.parameters().stream()
+        .filter(parameter -> parameter.name().equals(name))
+        .findFirst()
+        .orElseThrow()
+        .text();
   }
 
   private void awaitReadiness(Readiness expected) {

@@ -73,6 +73,56 @@ class M12RecordingTest {
   }
 
   @Test
+  void readsTheOtherMessagesOfTheTwelveChannelRecording() throws IOException {
+    List<M12Message> messages = M12Parser.parse(SharedData.bytes(HA));
+    assertThat(all(messages, PositionControl.class))
+        .hasSize(10)
+        .containsOnly(new PositionControl(PositionControl.Mode.HOLD));
+    assertThat(all(messages, TimeScale.class)).hasSize(10);
+    assertThat(all(messages, UtcOffset.class)).hasSize(9).containsOnly(new UtcOffset(18));
+    M12PositionMessage first = all(messages, M12PositionMessage.class).get(0);
+    assertThat(all(messages, HoldPosition.class))
+        .hasSize(10)
+        .allSatisfy(
+            held -> {
+              assertThat(held.position().latitude()).isEqualTo(first.position().latitude());
+              assertThat(held.position().longitude()).isEqualTo(first.position().longitude());
+              assertThat(held.position().height()).isEqualTo(first.position().height());
+            });
+    List<VisibleSatellites> skies = all(messages, VisibleSatellites.class);
+    List<JsonNode> reference = reference(HA, "SKY");
+    assertThat(skies).hasSize(9).allMatch(sky -> sky.count() == 7);
+    // The reference has the directions from the Bb before: from its second report on.
+    for (JsonNode satellite : reference.get(1).get("satellites")) {
+      assertThat(skies.get(0).satellites())
+          .anySatisfy(
+              place -> {
+                assertThat(place.satellite()).isEqualTo(satellite.get("PRN").asInt());
+                assertThat(place.elevation()).isEqualTo(satellite.get("el").asInt());
+                assertThat(place.azimuth()).isEqualTo(satellite.get("az").asInt());
+              });
+    }
+  }
+
+  @Test
+  void readsTheOtherMessagesOfTheEightChannelRecording() throws IOException {
+    List<M12Message> messages = M12Parser.parse(SharedData.bytes(EA));
+    assertThat(messages).noneMatch(MalformedMessage.class::isInstance);
+    // 13 are visible, and there is room for 12.
+    assertThat(all(messages, VisibleSatellites.class))
+        .hasSize(2)
+        .allMatch(sky -> sky.count() == 13 && sky.satellites().size() == 12);
+    assertThat(all(messages, TimeRaim.class))
+        .hasSize(12)
+        .allMatch(raim -> raim.pulse() && raim.solution() == TimeRaim.Solution.OK)
+        .allMatch(raim -> raim.accuracy() == 54);
+  }
+
+  private static <T> List<T> all(List<M12Message> messages, Class<T> type) {
+    return messages.stream().filter(type::isInstance).map(type::cast).toList();
+  }
+
+  @Test
   void agreesWithTheReferenceOnTheTwelveChannelRecording() throws IOException {
     List<M12PositionMessage> messages = positions(SharedData.bytes(HA));
     List<JsonNode> reports = reference(HA, "TPV");

@@ -1,0 +1,156 @@
+package org.dfra.event.delivery;
+
+import java.lang.System.Logger.Level;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The threads on which listeners are told.
+ *
+ * <p>A few threads serve all listeners in turn. One that has been in the same listener for more
+ * than {@value #BLOCKED_MILLIS} ms counts as blocked, and while others wait another thread takes
+ * its place; it ends when the blocked one is back. So there are as many threads as a few plus the
+ * listeners that block, and a healthy listener never waits for one that does. The threads are
+ * daemons, called {@code dfra-events-n}; those without work end after ten seconds.
+ */
+public final class DeliveryPool {
+
+  private static final System.Logger LOG = System.getLogger(DeliveryPool.class.getName());
+  private static final long BLOCKED_MILLIS = 2;
+  private static final long BLOCKED_NANOS = TimeUnit.MILLISECONDS.toNanos(BLOCKED_MILLIS);
+  private static final long IDLE_SECONDS = 10;
+
+  private static final DeliveryPool SHARED =
+      new DeliveryPool(
+          Math.max(2, Math.min(4, Runtime.getRuntime().availableProcessors())), Scheduler.system());
+
+  private final int few;
+  private final Scheduler scheduler;
+  private final LinkedBlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
+  private final Set<Worker> workers = ConcurrentHashMap.newKeySet();
+  private final AtomicInteger names = new AtomicInteger();
+  private final AtomicBoolean looking = new AtomicBoolean();
+
+  /**
+   * @param few how many threads serve while none is blocked, at least 1
+   * @param scheduler the time by which a thread counts as blocked
+   */
+  public DeliveryPool(int few, Scheduler scheduler) {
+    this.few = few;
+    this.scheduler = scheduler;
+  }
+
+  /** The pool of this virtual machine. */
+  public static DeliveryPool shared() {
+    return SHARED;
+  }
+
+  /** Runs a turn soon; returns at once. */
+  void submit(Runnable turn) {
+    turns.add(turn);
+    replaceBlocked();
+    if (!turns.isEmpty() && looking.compareAndSet(false, true)) {
+      scheduler.after(BLOCKED_NANOS, this::look);
+    }
+  }
+
+  /** How many threads there are. */
+  public int threads() {
+    return workers.size();
+  }
+
+  private void look() {
+    looking.set(false);
+    replaceBlocked();
+    if (!turns.isEmpty() && looking.compareAndSet(false, true)) {
+      scheduler.after(BLOCKED_NANOS, this::look);
+    }
+  }
+
+  private void replaceBlocked() {
+    if (!turns.isEmpty() && atWork() < few) {
+      synchronized (workers) {
+        if (atWork() < few) {
+          Worker worker = new Worker();
+          workers.add(worker);
+          worker.start();
+        }
+      }
+    }
+  }
+
+  /** Threads that are not blocked. */
+  private int atWork() {
+    long now = scheduler.nanos();
+    int count = 0;
+    for (Worker worker : workers) {
+      if (!worker.isBlocked(now)) {
+        count++;
+      }
+    }
+    return count;
+  }
+
+  /** One thread; it ends by itself. */
+  private final class Worker extends Thread {
+
+    private volatile boolean busy;
+    private volatile long since;
+
+    Worker() {
+      super("dfra-events-" + names.incrementAndGet());
+      setDaemon(true);
+      setContextClassLoader(null);
+    }
+
+    boolean isBlocked(long now) {
+      return busy && now - since > BLOCKED_NANOS;
+    }
+
+    @Override
+    public void run() {
+      try {
+        while (mayStay()) {
+          @Nullable Runnable turn = turns.poll(IDLE_SECONDS, TimeUnit.SECONDS);
+          if (turn == null) {
+            break;
+          }
+          serve(turn);
+        }
+      } catch (InterruptedException e) {
+        LOG.log(Level.WARNING, "{0} was interrupted and ends", getName());
+      } finally {
+        workers.remove(this);
+        replaceBlocked(); // a turn may have come while this one was ending
+      }
+    }
+
+    private void serve(Runnable turn) {
+      since = scheduler.nanos();
+      busy = true;
+      try {
+        turn.run();
+      } catch (RuntimeException | Error e) {
+        LOG.log(Level.ERROR, "a delivery failed in the delivery itself: " + e, e);
+      } finally {
+        busy = false;
+      }
+    }
+
+    private boolean mayStay() {
+      synchronized (workers) {
+        if (atWork() > few) {
+          workers.remove(this);
+          return false;
+        }
+        return true;
+      }
+    }
+  }
+}

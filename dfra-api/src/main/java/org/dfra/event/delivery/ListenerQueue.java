@@ -1,0 +1,187 @@
+package org.dfra.event.delivery;
+
+import java.lang.System.Logger.Level;
+import java.rmi.NoSuchObjectException;
+import java.rmi.RemoteException;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What waits for one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is under
+ * way. Offering never waits and allocates nothing.
+ */
+public final class ListenerQueue implements AutoCloseable {
+
+  /** For a listener that is never given up, whatever it throws. */
+  public static final int NEVER = Integer.MAX_VALUE;
+
+  private static final System.Logger LOG = System.getLogger(ListenerQueue.class.getName());
+  private static final double NANOS_PER_SECOND = 1e9;
+
+  private final ModuleListener listener;
+  private final DeliveryPolicy policy;
+  private final int failuresAllowed;
+  private final Runnable whenGivenUp;
+  private final DeliveryPool pool;
+  private final Scheduler scheduler;
+  private final long period;
+
+  /** What the listener was registered under, it is told under. */
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+
+  // all guarded by this
+  private final @Nullable Delivery[] ring;
+  private int head;
+  private int size;
+  private long dropped;
+  private boolean underWay;
+  private boolean closed;
+  private long earliest;
+  private int failures;
+  private @Nullable String lastFailure;
+
+  /**
+   * @param failuresAllowed after so many failures in a row the listener is given up
+   * @param whenGivenUp run once when that happens, on a thread of the pool
+   */
+  public ListenerQueue(
+      ModuleListener listener,
+      DeliveryPolicy policy,
+      int failuresAllowed,
+      Runnable whenGivenUp,
+      DeliveryPool pool,
+      Scheduler scheduler) {
+    this.listener = listener;
+    this.policy = policy;
+    this.failuresAllowed = failuresAllowed;
+    this.whenGivenUp = whenGivenUp;
+    this.pool = pool;
+    this.scheduler = scheduler;
+    this.period = (long) (NANOS_PER_SECOND / policy.highestRate());
+    this.ring = new @Nullable Delivery[policy.depth()];
+    this.earliest = scheduler.nanos();
+  }
+
+  /**
+   * Keeps a delivery for the listener if it wants its kind; drops the oldest if there is no room.
+   */
+  public synchronized void offer(Delivery delivery) {
+    if (closed || !policy.kinds().contains(delivery.kind())) {
+      return;
+    }
+    if (size == ring.length) {
+      @Nullable Delivery oldest = take();
+      dropped += 1 + (oldest == null ? 0 : oldest.dropped());
+    }
+    ring[(head + size) % ring.length] = delivery;
+    size++;
+    if (!underWay) {
+      underWay = true;
+      schedule();
+    }
+  }
+
+  /** Whether the listener is still to be told. */
+  public synchronized boolean isOpen() {
+    return !closed;
+  }
+
+  /** Nothing is delivered afterwards, except what is being delivered now. */
+  @Override
+  public synchronized void close() {
+    closed = true;
+    while (size > 0) {
+      take();
+    }
+  }
+
+  private @Nullable Delivery take() {
+    @Nullable Delivery first = ring[head];
+    ring[head] = null;
+    head = (head + 1) % ring.length;
+    size--;
+    return first;
+  }
+
+  private void schedule() {
+    long wait = earliest - scheduler.nanos();
+    if (period > 0 && wait > 0) {
+      scheduler.after(wait, () -> pool.submit(this::turn));
+    } else {
+      pool.submit(this::turn);
+    }
+  }
+
+  private void turn() {
+    Delivery next;
+    synchronized (this) {
+      @Nullable Delivery first = size == 0 ? null : take();
+      if (first == null) { // closed meanwhile
+        underWay = false;
+        return;
+      }
+      next = first.afterDropping(dropped);
+      dropped = 0;
+      earliest = scheduler.nanos() + period;
+    }
+    boolean givenUp = !tell(next);
+    synchronized (this) {
+      if (givenUp) {
+        close();
+      }
+      underWay = size > 0;
+      if (underWay) {
+        schedule();
+      }
+    }
+    if (givenUp) {
+      whenGivenUp.run();
+    }
+  }
+
+  /** Tells the listener; false when it is to be given up. */
+  private boolean tell(Delivery delivery) {
+    Thread thread = Thread.currentThread();
+    @Nullable ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(loader);
+    try {
+      listener.notify(delivery);
+      synchronized (this) {
+        failures = 0;
+        lastFailure = null;
+      }
+      return true;
+    } catch (RemoteException | RuntimeException | Error e) {
+      return failed(delivery, e);
+    } finally {
+      thread.setContextClassLoader(before);
+    }
+  }
+
+  private synchronized boolean failed(Delivery delivery, Throwable e) {
+    dropped += 1 + delivery.dropped();
+    failures++;
+    String failure = e.toString();
+    boolean givenUp =
+        failuresAllowed != NEVER
+            && (failures >= failuresAllowed || e instanceof NoSuchObjectException);
+    if (closed) {
+      return true;
+    }
+    if (givenUp) {
+      LOG.log(
+          Level.INFO,
+          "{0}: a listener is given up after {1} failures: {2}",
+          delivery.module(),
+          failures,
+          failure);
+    } else if (!failure.equals(lastFailure)) {
+      lastFailure = failure;
+      LOG.log(Level.WARNING, delivery.module() + ": a listener failed: " + failure, e);
+    }
+    return !givenUp;
+  }
+}

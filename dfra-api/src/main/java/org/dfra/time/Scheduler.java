@@ -1,0 +1,32 @@
+package org.dfra.time;
+
+/**
+ * Time for what must happen later: a count of nanoseconds that nobody sets, and a way to be called
+ * back. Tests step it.
+ */
+public interface Scheduler {
+
+  /** The time in nanoseconds from an arbitrary origin; only differences mean something. */
+  long nanos();
+
+  /**
+   * Runs a task once, after a while.
+   *
+   * @param task must not block: all tasks share one thread
+   * @param nanos how long to wait; not at all when not positive
+   */
+  Task after(long nanos, Runnable task);
+
+  /** Something that will be run. */
+  @FunctionalInterface
+  interface Task {
+
+    /** It need not be run any more. It may still be, if it is about to. */
+    void cancel();
+  }
+
+  /** The computer's monotonic time; its tasks run on one daemon thread, {@code dfra-timer}. */
+  static Scheduler system() {
+    return SystemScheduler.INSTANCE;
+  }
+}

@@ -1,0 +1,47 @@
+package org.dfra.time;
+
+import java.lang.System.Logger.Level;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+
+/** The computer's monotonic time, and the one timer thread of this virtual machine. */
+enum SystemScheduler implements Scheduler {
+  INSTANCE;
+
+  private static final System.Logger LOG = System.getLogger(Scheduler.class.getName());
+
+  private final ScheduledThreadPoolExecutor timer =
+      new ScheduledThreadPoolExecutor(
+          1,
+          task -> {
+            Thread thread = new Thread(task, "dfra-timer");
+            thread.setDaemon(true);
+            thread.setContextClassLoader(null); // it outlives whoever starts it
+            return thread;
+          });
+
+  SystemScheduler() {
+    timer.setRemoveOnCancelPolicy(true);
+  }
+
+  @Override
+  public long nanos() {
+    return System.nanoTime();
+  }
+
+  @Override
+  public Task after(long nanos, Runnable task) {
+    Future<?> future = timer.schedule(() -> run(task), nanos, TimeUnit.NANOSECONDS);
+    return () -> future.cancel(false);
+  }
+
+  private static void run(Runnable task) {
+    try {
+      task.run();
+    } catch (RuntimeException | Error e) {
+      LOG.log(Level.ERROR, "a task of the timer failed: " + e, e);
+      throw e;
+    }
+  }
+}

@@ -1,5 +1,0 @@
-/** Time for logic that waits; passed in, so that tests step it. */
-@NullMarked
-package org.dfra.core.time;
-
-import org.jspecify.annotations.NullMarked;

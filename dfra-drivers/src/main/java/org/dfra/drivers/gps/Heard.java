@@ -1,0 +1,66 @@
+package org.dfra.drivers.gps;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.drivers.link.Ticker;
+
+/**
+ * Counts what a receiver has said, by any name (a message's ID, or one of the constants), for those
+ * who wait for the next.
+ */
+public final class Heard {
+
+  /** The link was opened. */
+  public static final String OPENING = "opening";
+
+  /** The receiver told a solution, with a position or without. */
+  public static final String SOLUTION = "solution";
+
+  private final Ticker ticker;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition heard = lock.newCondition();
+  private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
+
+  Heard(Ticker ticker) {
+    this.ticker = ticker;
+  }
+
+  void count(String what) {
+    lock.lock();
+    try {
+      counts.merge(what, 1L, Long::sum);
+      heard.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** How many have come so far. */
+  public long sofar(String what) {
+    lock.lock();
+    try {
+      return counts.getOrDefault(what, 0L);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Waits until one more has come than {@code before}; false when none has in time. */
+  public boolean await(String what, long before, Duration patience) throws InterruptedException {
+    lock.lock();
+    try {
+      long begin = ticker.nanos();
+      long left = patience.toNanos();
+      while (counts.getOrDefault(what, 0L) <= before && left > 0) {
+        ticker.await(heard, left);
+        left = patience.toNanos() - (ticker.nanos() - begin);
+      }
+      return counts.getOrDefault(what, 0L) > before;
+    } finally {
+      lock.unlock();
+    }
+  }
+}

@@ -1,0 +1,368 @@
+package org.dfra.drivers.gps;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.link.LinkAddress;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.LocationReading;
+import org.dfra.flow.sensor.TimeReading;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A receiver that streams fixes over a link: what the drivers of all of them have in common. A new
+ * receiver is one class that extends this one and brings its {@link ReceiverProtocol}.
+ *
+ * <p>Parameters:
+ *
+ * <ul>
+ *   <li>{@code link}: where the receiver is, a {@link LinkAddress}, e.g. {@code
+ *       serial:/dev/ttyS0?baud=9600}; required
+ *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
+ *       again, at first and at most; default 0.5 and 8
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: where the antenna is, see {@link
+ *       SensorImpl}
+ *   <li>to be read only: {@code satellites}, {@code accuracy}, {@code frames}, {@code
+ *       dropped_bytes}, {@code malformed_frames}
+ * </ul>
+ *
+ * <p>INITIALIZING until the first position, and again when the link is lost, when no solution came
+ * for three periods and 2 s (then the link is opened anew), or when none of them had a position for
+ * that long (then it stays open). A position is served no longer than that either.
+ *
+ * <p>Threads: one reader ({@code name reader}), owned by a {@link LinkKeeper} from {@code start} to
+ * {@code close}, does all the work. Askers see immutable snapshots and never wait for the device.
+ *
+ * @param <P> the receiver's protocol
+ */
+public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImpl
+    implements GPSSensor, Described {
+
+  /**
+   * What the receiver last told; immutable.
+   *
+   * @param solution the last solution, with a position or without
+   * @param location the last position
+   * @param time the time that came with it
+   * @param utcDoubt why that time is not UTC for sure; null when it is
+   * @param positionNanos when that position came, by the ticker
+   */
+  private record Snapshot(
+      Solution solution,
+      LocationReading location,
+      TimeReading time,
+      @Nullable String utcDoubt,
+      long positionNanos) {}
+
+  private final ReceiverKind kind;
+  private final Pace pace;
+  private final Ticker ticker;
+  private final P protocol;
+  private final ReceiverDialogue dialogue;
+  private final LinkKeeper keeper;
+  private final Heard heard;
+  private final ReceiverExamination examination;
+  private final ReceiverAttributes attributes;
+
+  // written by the reader, read by anyone
+  private volatile @Nullable Snapshot snapshot;
+  private volatile @Nullable GpsReceiverAttributes receiver;
+  private volatile List<SatelliteInView> satellites = List.of();
+  private volatile StreamCounts counts = StreamCounts.ZERO;
+  private volatile String awaits = "it has not been started";
+
+  private boolean toldMalformed; // confined to the reader
+
+  /**
+   * @param context what the driver is given
+   * @param kind what is known of its kind
+   * @param pace how often positions are expected
+   * @param protocol makes the protocol, which tells this listener
+   * @param ticker the time to wait by
+   * @param source opens the link; null to go by the parameter {@code link}
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  protected ReceiverImpl(
+      ModuleContext context,
+      ReceiverKind kind,
+      Pace pace,
+      Function<ReceiverProtocol.Listener, P> protocol,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source) {
+    super(context, kind.description(), "DFRA", "1.0", List.of("GpsFix"), kind.preconditions());
+    LinkAddress address = ReceiverSettings.link(settings());
+    this.kind = kind;
+    this.pace = pace;
+    this.ticker = ticker;
+    this.heard = new Heard(ticker);
+    this.attributes = new ReceiverAttributes(kind.sensor());
+    Reader reader = new Reader();
+    this.protocol = protocol.apply(reader);
+    this.dialogue = new ReceiverDialogue(this.protocol, pace, ticker, reader);
+    this.keeper =
+        new LinkKeeper(
+            context.name(),
+            source == null ? () -> address.open(ticker) : source,
+            dialogue,
+            ReceiverSettings.backOff(settings()),
+            ticker,
+            log);
+    this.examination =
+        new ReceiverExamination(keeper, dialogue::send, heard, pace, this::satellites);
+    examination.declareIn(examinations());
+    declareStatistics();
+  }
+
+  private void declareStatistics() {
+    declared()
+        .show(
+            "satellites",
+            "what the receiver sees now",
+            () -> ReceiverExamination.inWords(satellites));
+    declared().show("accuracy", "what the receiver takes its error for, one sigma", this::accuracy);
+    declared().show("frames", "intact frames so far", () -> Long.toString(counts.frames()));
+    declared()
+        .show(
+            "dropped_bytes",
+            "bytes that belonged to no frame so far",
+            () -> Long.toString(counts.droppedBytes()));
+    declared()
+        .show(
+            "malformed_frames",
+            "intact frames with values that cannot be so far",
+            () -> Long.toString(counts.malformed()));
+  }
+
+  private String accuracy() {
+    Snapshot last = snapshot;
+    return last == null || Double.isNaN(last.solution().horizontalAccuracy())
+        ? "not told"
+        : String.format(
+            Locale.ROOT,
+            "horizontal %.2f m, vertical %.2f m",
+            last.solution().horizontalAccuracy(),
+            last.solution().verticalAccuracy());
+  }
+
+  @Override
+  protected void onStart() {
+    awaits = "its link is being opened";
+    keeper.start();
+  }
+
+  @Override
+  protected void onClose() {
+    keeper.close();
+    awaits = "it has ended";
+    snapshot = null;
+  }
+
+  /** {@inheritDoc} As wanted of the receiver now. */
+  @Override
+  public double updateRate() {
+    return 1 / pace.seconds();
+  }
+
+  /**
+   * {@inheritDoc} It may have the mode NONE while the receiver has just lost its satellites.
+   *
+   * @throws NotReadyException if there has been none yet, or none for so long that the last one
+   *     does not count any more
+   */
+  @Override
+  public final GpsFix fix() {
+    return current().solution().fix();
+  }
+
+  /**
+   * {@inheritDoc} The frame is the receiver's antenna, {@code robot/name}.
+   *
+   * @throws NotReadyException as {@link #fix}
+   */
+  @Override
+  public final LocationReading location() {
+    return current().location();
+  }
+
+  /**
+   * {@inheritDoc} During a leap second it stands still.
+   *
+   * @throws NotReadyException as {@link #fix}, and while the receiver does not know UTC
+   */
+  @Override
+  public final TimeReading time() {
+    Snapshot current = current();
+    String doubt = current.utcDoubt();
+    if (doubt != null) {
+      throw new NotReadyException(path(), readiness(), "the receiver has positions, but " + doubt);
+    }
+    return current.time();
+  }
+
+  /** {@inheritDoc} The location is one that the receiver was at not long ago. */
+  @Override
+  public final List<Attributes> attributes() {
+    Snapshot current = readiness().serves() ? snapshot : null;
+    return attributes.all(
+        receiver(),
+        current == null ? null : current.location(),
+        frame(),
+        parentFrame(),
+        localTransform());
+  }
+
+  /** What the receiver is, as far as it has said. */
+  public final GpsReceiverAttributes receiver() {
+    GpsReceiverAttributes told = receiver;
+    return told == null ? kind.receiver() : told;
+  }
+
+  /** The satellites that the receiver sees, as it last told them. */
+  public final List<SatelliteInView> satellites() {
+    return satellites;
+  }
+
+  /** What has come over the link since the module was started, all openings together. */
+  public final StreamCounts counts() {
+    return counts;
+  }
+
+  /** The receiver's protocol; only what it allows may be called by other threads. */
+  protected final P protocol() {
+    return protocol;
+  }
+
+  /** Has bytes sent to the receiver soon; from any thread. Forgotten when the link is reopened. */
+  protected final void send(byte[] bytes) {
+    dialogue.send(bytes);
+  }
+
+  /** What every receiver can be asked, for examinations of the driver's own. */
+  protected final ReceiverExamination examination() {
+    return examination;
+  }
+
+  private Snapshot current() {
+    Snapshot current = snapshot;
+    Readiness readiness = readiness();
+    if (current == null || !readiness.serves()) {
+      throw new NotReadyException(path(), readiness, awaits);
+    }
+    Duration longestAge = pace.longestAge();
+    long age = ticker.nanos() - current.positionNanos();
+    if (age > longestAge.toNanos()) {
+      throw new NotReadyException(
+          path(),
+          readiness,
+          String.format(
+              Locale.ROOT,
+              "its last position is %.1f s old, and none older than %s is served",
+              age / 1e9,
+              ReceiverExamination.seconds(longestAge)));
+    }
+    return current;
+  }
+
+  /** Takes what protocol and dialogue tell; on the reader thread. */
+  private final class Reader implements ReceiverProtocol.Listener, ReceiverDialogue.Listener {
+
+    @Override
+    public void solved(Solution solution) {
+      dialogue.solved(solution);
+      heard.count(Heard.SOLUTION);
+      Instant now = clock().instant();
+      GpsFix fix = solution.fix();
+      Snapshot last = snapshot;
+      if (fix.position() != null) {
+        snapshot =
+            new Snapshot(
+                solution,
+                new LocationReading(fix.position(), path(), fix.utc()),
+                new TimeReading(fix.utc(), now),
+                solution.utcDoubt(),
+                ticker.nanos());
+        if (readiness() == Readiness.INITIALIZING) {
+          become(Readiness.READY);
+        }
+        tell(fix);
+      } else if (last != null) {
+        snapshot =
+            new Snapshot(
+                solution, last.location(), last.time(), last.utcDoubt(), last.positionNanos());
+        tell(fix);
+      } else {
+        awaits = "the receiver has no position yet, it is " + solution.state();
+      }
+    }
+
+    @Override
+    public void saw(List<SatelliteInView> now) {
+      satellites = List.copyOf(now);
+    }
+
+    @Override
+    public void identified(GpsReceiverAttributes told) {
+      if (!told.equals(receiver)) {
+        receiver = told;
+        log.info("{}: {}", path(), told);
+      }
+    }
+
+    @Override
+    public void heard(String name) {
+      heard.count(name);
+    }
+
+    @Override
+    public void malformed(String what, String reason) {
+      if (toldMalformed) {
+        log.debug("malformed {}: {}", what, reason);
+      } else {
+        toldMalformed = true;
+        log.warn(
+            "malformed {}: {}; more of them until the link is opened again are told at DEBUG",
+            what,
+            reason);
+      }
+    }
+
+    @Override
+    public void warned(String sentence) {
+      log.warn("{}: {}", path(), sentence);
+    }
+
+    @Override
+    public void opened() {
+      toldMalformed = false;
+      satellites = List.of();
+      heard.count(Heard.OPENING);
+    }
+
+    @Override
+    public void counted(StreamCounts now) {
+      counts = now;
+    }
+
+    @Override
+    public void withoutPosition(String reason) {
+      awaits = reason;
+      if (readiness().serves()) {
+        become(Readiness.INITIALIZING, reason);
+      }
+      snapshot = null;
+    }
+  }
+}

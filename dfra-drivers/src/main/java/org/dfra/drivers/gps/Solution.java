@@ -1,0 +1,28 @@
+package org.dfra.drivers.gps;
+
+import org.dfra.flow.sensor.GpsFix;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a receiver told of one moment.
+ *
+ * @param fix the fix, with a position or without
+ * @param utcDoubt why the fix' time is not UTC for sure, a clause ({@code it does not tell the
+ *     date}); null when it is
+ * @param state what the receiver does, as the rest of "the receiver is …"
+ * @param horizontalAccuracy what the receiver takes its horizontal error for, metres, one sigma;
+ *     NaN where it does not tell
+ * @param verticalAccuracy the same of its height
+ */
+public record Solution(
+    GpsFix fix,
+    @Nullable String utcDoubt,
+    String state,
+    double horizontalAccuracy,
+    double verticalAccuracy) {
+
+  /** Of a receiver that does not tell how accurate it is. */
+  public Solution(GpsFix fix, @Nullable String utcDoubt, String state) {
+    this(fix, utcDoubt, state, Double.NaN, Double.NaN);
+  }
+}

@@ -1,0 +1,277 @@
+package org.dfra.drivers.gps.m12;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.gps.Solution;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is said between the driver and the receiver, from one opening of the link to the next.
+ *
+ * <p>It asks what the receiver is ({@code @@Cj}), sets it to a safe state (time as UTC,
+ * {@code @@Aw}; a position that is solved for, not held, {@code @@Gd}; time RAIM on, {@code @@Ge}),
+ * sends again what is not acknowledged, and asks for {@code @@Ha} and {@code @@Hn} at the set rate,
+ * and for {@code @@Bb} and {@code @@Bo} when they change. A receiver that has sent no position
+ * after {@value #PATIENCE_SECONDS} s is asked for {@code @@Ea} and {@code @@En} too, since it may
+ * have eight channels only. Once a twelve-channel position has come, {@code @@Ea} is no longer
+ * listened to, and the receiver is told to stop it if it was asked for.
+ *
+ * <p>Confined to the reader thread, but for what it was last told, which anyone may ask.
+ */
+final class M12Protocol implements ReceiverProtocol {
+
+  private static final int PATIENCE_SECONDS = 2;
+
+  private static final String UTC_UNKNOWN =
+      "has not yet learned from the satellites how far GPS time is ahead of UTC; after a cold start"
+          + " that takes up to 12.5 minutes";
+
+  private final M12Rate rate;
+  private final M12Orders orders;
+  private final Ticker ticker;
+  private final Listener listener;
+  private final M12Parser parser = new M12Parser(this::heard);
+  private final M12Settlement settlement;
+  private final M12Sky sky = new M12Sky();
+
+  private int toldRate;
+  private PositionControl.@Nullable Mode toldPositioning;
+  private boolean toBeTold;
+  private long openedNanos;
+  private boolean has12Channels;
+  private boolean asked8Channels;
+  private boolean toldUtc;
+
+  // written by the reader, read by anyone
+  private volatile @Nullable ReceiverStatus status;
+  private volatile @Nullable TimeRaim timeRaim;
+  private volatile @Nullable HoldPosition held;
+  private volatile @Nullable ReceiverClock clock;
+  private volatile @Nullable UtcOffset utcOffset;
+  private volatile @Nullable ReceiverIdentification identification;
+
+  M12Protocol(M12Rate rate, M12Orders orders, Ticker ticker, Listener listener) {
+    this.rate = rate;
+    this.orders = orders;
+    this.ticker = ticker;
+    this.listener = listener;
+    this.settlement = new M12Settlement(ticker);
+  }
+
+  /** The last receiver status; empty before the first of a link. */
+  Optional<ReceiverStatus> status() {
+    return Optional.ofNullable(status);
+  }
+
+  /** The last time RAIM message; empty before the first of a link. */
+  Optional<TimeRaim> timeRaim() {
+    return Optional.ofNullable(timeRaim);
+  }
+
+  /** The position that would be held; empty before the receiver has told it. */
+  Optional<HoldPosition> held() {
+    return Optional.ofNullable(held);
+  }
+
+  /** What the receiver's clock was set to, or showed when it was asked. */
+  Optional<ReceiverClock> clock() {
+    return Optional.ofNullable(clock);
+  }
+
+  /** GPS time minus UTC; empty before the receiver has told it. */
+  Optional<UtcOffset> utcOffset() {
+    return Optional.ofNullable(utcOffset);
+  }
+
+  /** What the receiver says it is; empty until it has said so. */
+  Optional<ReceiverIdentification> identification() {
+    return Optional.ofNullable(identification);
+  }
+
+  @Override
+  public void opened(SerialLink link) throws IOException {
+    has12Channels = false;
+    status = null;
+    timeRaim = null;
+    held = null;
+    clock = null;
+    utcOffset = null;
+    toldUtc = false;
+    sky.forget();
+    begin(link);
+  }
+
+  private void begin(SerialLink link) throws IOException {
+    toBeTold = false;
+    asked8Channels = false;
+    openedNanos = ticker.nanos();
+    settlement.forget();
+    link.write(M12Commands.identification());
+    settlement.send(link, "Aw", M12Commands.utcTime());
+    tellPositioning(link);
+    toldRate = rate.now();
+    link.write(position(toldRate));
+    settlement.send(link, "Ge", M12Commands.timeRaimOn());
+    link.write(M12Commands.timeRaimOf12Channels(toldRate));
+    link.write(M12Commands.visibleSatellites(true));
+    link.write(M12Commands.utcOffset());
+    link.write(M12Commands.askHoldPosition());
+  }
+
+  private byte[] position(int seconds) {
+    return orders.shortPositions()
+        ? M12Commands.shortPosition(seconds)
+        : M12Commands.positionOf12Channels(seconds);
+  }
+
+  @Override
+  public void feed(byte[] bytes, int length) {
+    parser.feed(bytes, 0, length);
+  }
+
+  @Override
+  public void finish() {
+    parser.finish();
+  }
+
+  @Override
+  public StreamCounts counts() {
+    return parser.counts();
+  }
+
+  @Override
+  public void tend(SerialLink link) throws IOException {
+    if (toBeTold) {
+      begin(link);
+    }
+    tellRate(link);
+    if (orders.positioning() != toldPositioning) {
+      tellPositioning(link);
+    }
+    String unsettled = settlement.tend(link);
+    if (unsettled != null && has12Channels) { // an eight-channel receiver does not know them all
+      listener.warned("the receiver has not acknowledged @@" + unsettled + ", which it should");
+    }
+    if (has12Channels && asked8Channels) {
+      asked8Channels = false;
+      link.write(M12Commands.positionOf8Channels(0)); // one more, then none
+      link.write(M12Commands.timeRaimOf8Channels(0));
+    } else if (!has12Channels
+        && !asked8Channels
+        && ticker.nanos() - openedNanos > Duration.ofSeconds(PATIENCE_SECONDS).toNanos()) {
+      asked8Channels = true;
+      link.write(M12Commands.holdOff());
+      link.write(M12Commands.positionOf8Channels(toldRate));
+      link.write(M12Commands.timeRaimOf8Channels(toldRate));
+    }
+  }
+
+  private void tellPositioning(SerialLink link) throws IOException {
+    PositionControl.Mode wanted = orders.positioning();
+    toldPositioning = wanted;
+    settlement.send(link, "Gd", M12Commands.positionControl(wanted));
+  }
+
+  private void tellRate(SerialLink link) throws IOException {
+    int wanted = rate.now();
+    if (wanted != toldRate) {
+      toldRate = wanted;
+      link.write(position(wanted));
+      link.write(M12Commands.timeRaimOf12Channels(wanted));
+      if (asked8Channels) {
+        link.write(M12Commands.positionOf8Channels(wanted));
+        link.write(M12Commands.timeRaimOf8Channels(wanted));
+      }
+    }
+  }
+
+  private void heard(M12Message message) {
+    if (message instanceof M12PositionMessage position) {
+      take(position);
+    } else if (message instanceof MalformedMessage malformed) {
+      listener.malformed("@@" + malformed.id(), malformed.reason());
+      return;
+    } else {
+      remember(message);
+    }
+    settlement.settled(message.id());
+    listener.heard(message.id());
+  }
+
+  private void take(M12PositionMessage position) {
+    if (position instanceof Position8Channels eight) {
+      if (!has12Channels) {
+        solved(eight);
+      }
+    } else {
+      has12Channels = true;
+      if (orders.shortPositions() == position instanceof ShortPosition) {
+        solved(position);
+      }
+    }
+  }
+
+  private void solved(M12PositionMessage message) {
+    if (message instanceof Position12Channels twelve) {
+      status = twelve.status();
+    } else if (message instanceof ShortPosition brief) {
+      status = brief.status();
+    }
+    if (toldRate == rate.now()) {
+      rate.arrivedAtThisRate();
+    }
+    listener.saw(sky.with(message));
+    boolean knowsUtc = message.knowsUtc() || (toldUtc && utcOffset().isPresent());
+    listener.solved(
+        new Solution(message.toFix(), knowsUtc ? null : UTC_UNKNOWN, message.stateInWords()));
+    tellWhatItIs(); // it may have become clear how many channels there are
+  }
+
+  private void remember(M12Message message) {
+    if (message instanceof VisibleSatellites visible) {
+      listener.saw(sky.with(visible));
+    } else if (message instanceof TimeRaim raim) {
+      timeRaim = raim;
+    } else if (message instanceof HoldPosition position) {
+      held = position;
+    } else if (message instanceof ReceiverClock told) {
+      clock = told;
+    } else if (message instanceof UtcOffset offset) {
+      utcOffset = offset.isKnown() ? offset : null;
+    } else if (message instanceof TimeScale scale) {
+      toldUtc = scale.isUtc();
+    } else if (message instanceof ReceiverIdentification told) {
+      identification = told;
+      tellWhatItIs();
+    } else if (message.id().equals("Cf")) {
+      toBeTold = true; // it sends nothing any more
+    }
+  }
+
+  private void tellWhatItIs() {
+    ReceiverIdentification told = identification;
+    Integer channels = has12Channels ? Integer.valueOf(12) : asked8Channels ? 8 : null;
+    List<String> modes = List.of("2D", "3D");
+    listener.identified(
+        told == null
+            ? new GpsReceiverAttributes(null, null, null, null, channels, modes)
+            : new GpsReceiverAttributes(
+                known(told.model()),
+                known(told.serialNumber()),
+                known(told.softwarePartNumber()),
+                known(told.softwareVersion()),
+                channels,
+                modes));
+  }
+
+  private static @Nullable String known(String text) {
+    return text.isEmpty() ? null : text;
+  }
+}

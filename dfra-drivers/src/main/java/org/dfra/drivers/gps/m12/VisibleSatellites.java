@@ -1,0 +1,33 @@
+package org.dfra.drivers.gps.m12;
+
+import java.util.List;
+
+/**
+ * {@code @@Bb}: the satellites above the horizon by the almanac. Source: Motorola Oncore user's
+ * guides.
+ *
+ * @param count how many there are; may exceed the twelve that are told of one by one
+ * @param satellites at most twelve of them
+ */
+public record VisibleSatellites(int count, List<Place> satellites) implements M12Message {
+
+  /**
+   * Where a satellite stands.
+   *
+   * @param satellite its number, 1 to 37
+   * @param doppler shift of its carrier, hertz
+   * @param elevation above the horizon, degrees, 0 to 90
+   * @param azimuth from true north, clockwise, degrees, 0 to 360
+   * @param health the health bits of the almanac; 0 is healthy
+   */
+  public record Place(int satellite, int doppler, int elevation, int azimuth, int health) {}
+
+  public VisibleSatellites {
+    satellites = List.copyOf(satellites);
+  }
+
+  @Override
+  public String id() {
+    return "Bb";
+  }
+}

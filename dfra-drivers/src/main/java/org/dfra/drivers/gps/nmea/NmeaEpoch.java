@@ -1,0 +1,236 @@
+package org.dfra.drivers.gps.nmea;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.LocalDate;
+import java.time.LocalTime;
+import java.time.ZoneOffset;
+import java.util.List;
+import java.util.function.Consumer;
+import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.Solution;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gga;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Rmc;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Puts the sentences of one moment together. {@code RMC} has date, speed and course, {@code GGA}
+ * height and quality, {@code GSA} the dimensions; no sentence says that it is the last of its
+ * moment.
+ *
+ * <p>A solution is told as soon as both {@code RMC} and {@code GGA} of a moment are there, or the
+ * one of them that the receiver sends; what is still incomplete when the next moment begins is told
+ * then. Of {@code GSA} and {@code GSV} the last ones count, which may be those of the moment
+ * before.
+ *
+ * <p>Confined to one thread.
+ */
+final class NmeaEpoch {
+
+  /**
+   * A receiver that has sent three {@code GGA} without a {@code RMC} sends none, and vice versa.
+   */
+  private static final int PATIENCE = 2;
+
+  private final InstantSource clock;
+  private final Consumer<Solution> solutions;
+  private final NmeaSky sky = new NmeaSky();
+  private List<SatelliteInView> satellites = List.of();
+
+  private @Nullable LocalTime time;
+  private @Nullable Rmc rmc;
+  private @Nullable Gga gga;
+  private boolean told;
+  private int withoutRmc;
+  private int withoutGga;
+  private @Nullable LocalDate date;
+  private @Nullable Gsa gsa;
+
+  /**
+   * @param clock gives the day while the receiver has not told the date
+   * @param solutions is given every solution
+   */
+  NmeaEpoch(InstantSource clock, Consumer<Solution> solutions) {
+    this.clock = clock;
+    this.solutions = solutions;
+  }
+
+  /** Forgets everything: another stream begins. */
+  void forget() {
+    time = null;
+    rmc = null;
+    gga = null;
+    told = true;
+    withoutRmc = 0;
+    withoutGga = 0;
+    date = null;
+    gsa = null;
+    satellites = List.of();
+  }
+
+  /** The satellites in view, as far as they are known. */
+  List<SatelliteInView> satellites() {
+    return satellites;
+  }
+
+  /** Takes a sentence; true when the satellites may have changed. */
+  boolean take(NmeaSentence sentence) {
+    if (sentence instanceof Rmc next) {
+      turnTo(next.time());
+      rmc = next;
+      date = next.date() == null ? date : next.date();
+      withoutRmc = 0;
+      withoutGga++;
+      tellIfComplete();
+    } else if (sentence instanceof Gga next) {
+      turnTo(next.time());
+      gga = next;
+      withoutGga = 0;
+      withoutRmc++;
+      tellIfComplete();
+    } else if (sentence instanceof Gsa next) {
+      gsa = next;
+      sky.take(next);
+    } else if (sentence instanceof Gsv next && sky.take(next)) {
+      satellites = sky.all();
+      return true;
+    }
+    return false;
+  }
+
+  private void turnTo(@Nullable LocalTime next) {
+    boolean same = next != null && next.equals(time);
+    // Receivers without the time say so twice in each epoch; it ends with what came before.
+    boolean sameUnknown = next == null && time == null && (rmc == null) != (gga == null);
+    if (same || sameUnknown) {
+      return;
+    }
+    if (!told) {
+      tell();
+    }
+    if (next != null && time != null && next.isBefore(time) && rmc == null) {
+      date = null; // midnight has passed, and only RMC tells the new date
+    }
+    time = next;
+    rmc = null;
+    gga = null;
+    told = false;
+    sky.turn();
+  }
+
+  private void tellIfComplete() {
+    boolean complete =
+        (rmc != null || withoutRmc > PATIENCE) && (gga != null || withoutGga > PATIENCE);
+    if (complete && !told) {
+      tell();
+    }
+  }
+
+  private void tell() {
+    if (rmc == null && gga == null) {
+      return;
+    }
+    told = true;
+    GpsFix.Mode mode = mode();
+    double speed = rmc == null || Double.isNaN(rmc.speed()) ? 0 : rmc.speed();
+    double course = rmc == null || Double.isNaN(rmc.course()) ? 0 : rmc.course();
+    int heard = (int) satellites.stream().filter(SatelliteInView::isTracked).count();
+    int tracked = Math.max(heard, gga == null ? 0 : gga.used());
+    solutions.accept(
+        new Solution(
+            new GpsFix(
+                mode,
+                mode == GpsFix.Mode.NONE ? null : position(),
+                utc(),
+                speed,
+                course,
+                dilution(mode),
+                Math.max(satellites.size(), tracked),
+                tracked),
+            doubt(),
+            (mode == GpsFix.Mode.NONE ? "searching for satellites, " : "giving a fix, ")
+                + tracked
+                + " of "
+                + Math.max(satellites.size(), tracked)
+                + " heard"));
+  }
+
+  private GpsFix.Mode mode() {
+    boolean doubted = rmc != null && !rmc.valid();
+    if (doubted || Double.isNaN(latitude()) || Double.isNaN(longitude())) {
+      return GpsFix.Mode.NONE;
+    }
+    if (gga != null) {
+      return switch (gga.quality()) {
+        case 0, 6 -> GpsFix.Mode.NONE; // estimated is what the M12+ calls propagated
+        case 7 -> GpsFix.Mode.POSITION_HOLD;
+        default -> dimensions();
+      };
+    }
+    return switch (rmc == null ? 'N' : rmc.mode()) {
+      case 'N', 'E' -> GpsFix.Mode.NONE;
+      case 'M' -> GpsFix.Mode.POSITION_HOLD;
+      default -> GpsFix.Mode.FIX_2D;
+    };
+  }
+
+  /** Without a height above the ellipsoid no fix is one in 3-D, whatever the receiver says. */
+  private GpsFix.Mode dimensions() {
+    boolean flat = gsa != null && gsa.dimensions() == 2;
+    return flat || Double.isNaN(height()) ? GpsFix.Mode.FIX_2D : GpsFix.Mode.FIX_3D;
+  }
+
+  private GeoPosition position() {
+    double height = height();
+    return new GeoPosition(latitude(), longitude(), Double.isNaN(height) ? 0 : height);
+  }
+
+  private double latitude() {
+    return gga != null ? gga.latitude() : rmc != null ? rmc.latitude() : Double.NaN;
+  }
+
+  private double longitude() {
+    return gga != null ? gga.longitude() : rmc != null ? rmc.longitude() : Double.NaN;
+  }
+
+  private double height() {
+    return gga == null ? Double.NaN : gga.altitude() + gga.separation();
+  }
+
+  private double dilution(GpsFix.Mode mode) {
+    double pdop = gsa == null ? Double.NaN : gsa.pdop();
+    double hdop = gga == null ? Double.NaN : gga.dilution();
+    double wanted = mode == GpsFix.Mode.FIX_3D && !Double.isNaN(pdop) ? pdop : hdop;
+    return mode == GpsFix.Mode.NONE || Double.isNaN(wanted) ? 0 : wanted;
+  }
+
+  private Instant utc() {
+    Instant host = clock.instant();
+    LocalTime at = time;
+    if (at == null) {
+      return host;
+    }
+    LocalDate day = date;
+    if (day != null) {
+      return at.atDate(day).toInstant(ZoneOffset.UTC);
+    }
+    Instant today = at.atDate(LocalDate.ofInstant(host, ZoneOffset.UTC)).toInstant(ZoneOffset.UTC);
+    Duration ahead = Duration.between(host, today);
+    if (ahead.toHours() > 12) {
+      return today.minus(Duration.ofDays(1));
+    }
+    return ahead.toHours() < -12 ? today.plus(Duration.ofDays(1)) : today;
+  }
+
+  private @Nullable String doubt() {
+    if (time == null) {
+      return "has not told the time yet";
+    }
+    return date == null ? "has not told the date yet, which only RMC does" : null;
+  }
+}

@@ -1,0 +1,91 @@
+package org.dfra.drivers.gps.nmea;
+
+import java.util.List;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.FixedPace;
+import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.Ticker;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Any receiver that sends NMEA 0183: {@code RMC}, {@code GGA}, {@code GSA} and {@code GSV} of any
+ * talker. Nothing is sent to it: it is set up with its maker's tool.
+ *
+ * <p>Parameter, besides those of every {@link ReceiverImpl}: {@code period}, seconds from one
+ * position to the next, as the receiver is set up; default 1. It only says how long silence may
+ * last.
+ *
+ * <p>A fix is one in 3-D where {@code GGA} tells altitude and geoid separation, which make the
+ * height above the ellipsoid; without them its height is 0. What {@code GGA} calls estimated is no
+ * fix. Where only {@code GGA} comes, there is no speed, no course (both 0), and no {@code time},
+ * since the date is missing.
+ */
+public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
+
+  private static final ReceiverKind KIND =
+      ReceiverKind.of("NMEA 0183 receiver", 1.0 / 3600, 50, List.of(ReceiverKind.SATELLITES));
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public NmeaImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  NmeaImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        KIND,
+        FixedPace.in(context.parameters()),
+        listener -> new Protocol(context, listener),
+        ticker,
+        source);
+  }
+
+  /** Listens only. */
+  static final class Protocol implements ReceiverProtocol {
+
+    private final Listener listener;
+    private final NmeaEpoch epoch;
+    private final NmeaParser parser = new NmeaParser(this::heard);
+
+    Protocol(ModuleContext context, Listener listener) {
+      this.listener = listener;
+      this.epoch = new NmeaEpoch(context.clock(), listener::solved);
+    }
+
+    @Override
+    public void opened(SerialLink link) {
+      epoch.forget();
+    }
+
+    @Override
+    public void feed(byte[] bytes, int length) {
+      parser.feed(bytes, 0, length);
+    }
+
+    @Override
+    public void finish() {
+      parser.finish();
+    }
+
+    @Override
+    public StreamCounts counts() {
+      return parser.counts();
+    }
+
+    private void heard(NmeaSentence sentence) {
+      if (sentence instanceof NmeaSentence.Malformed malformed) {
+        listener.malformed(malformed.talker() + malformed.type(), malformed.reason());
+      } else if (epoch.take(sentence)) {
+        listener.saw(epoch.satellites());
+      }
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.dfra.drivers.gps.nmea;
+
+import java.time.LocalDate;
+import java.time.LocalTime;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a receiver said, decoded from one intact sentence. A field that was empty is NaN, null or
+ * −1, as each one says.
+ */
+public sealed interface NmeaSentence {
+
+  /** Who talks: {@code GP}, {@code GL}, {@code GA}, {@code GB}, {@code GN} for several at once. */
+  String talker();
+
+  /**
+   * {@code RMC}: recommended minimum.
+   *
+   * @param talker who talks
+   * @param time time of day, UTC; null while the receiver has none
+   * @param valid whether the receiver stands by it
+   * @param latitude degrees, north is +; NaN if empty
+   * @param longitude degrees, east is +; NaN if empty
+   * @param speed over ground, metres per second; NaN if empty
+   * @param course direction of travel, degrees, 0 is true north, clockwise is +; NaN if empty
+   * @param date the date, UTC; null if empty
+   * @param mode {@code A} autonomous, {@code D} differential, {@code E} estimated, {@code M}
+   *     manual, {@code N} none, {@code R}/{@code F} real time kinematic, {@code S} simulator; a
+   *     blank where the receiver's standard has no such field
+   */
+  record Rmc(
+      String talker,
+      @Nullable LocalTime time,
+      boolean valid,
+      double latitude,
+      double longitude,
+      double speed,
+      double course,
+      @Nullable LocalDate date,
+      char mode)
+      implements NmeaSentence {}
+
+  /**
+   * {@code GGA}: fix data.
+   *
+   * @param talker who talks
+   * @param time time of day, UTC; null while the receiver has none
+   * @param latitude degrees, north is +; NaN if empty
+   * @param longitude degrees, east is +; NaN if empty
+   * @param quality 0 none, 1 GPS, 2 differential, 3 PPS, 4 and 5 real time kinematic, 6 estimated,
+   *     7 manual, 8 simulator
+   * @param used satellites in use; −1 if empty
+   * @param dilution horizontal dilution of precision; NaN if empty
+   * @param altitude above mean sea level, metres; NaN if empty
+   * @param separation height of mean sea level above the WGS84 ellipsoid, metres; NaN if empty
+   */
+  record Gga(
+      String talker,
+      @Nullable LocalTime time,
+      double latitude,
+      double longitude,
+      int quality,
+      int used,
+      double dilution,
+      double altitude,
+      double separation)
+      implements NmeaSentence {}
+
+  /**
+   * {@code GSA}: satellites in use and dilution of precision.
+   *
+   * @param talker who talks
+   * @param dimensions 1 no fix, 2 a 2-D fix, 3 a 3-D fix; −1 if empty
+   * @param satellites numbers of those in use, at most twelve
+   * @param pdop dilution of precision of the position; NaN if empty
+   * @param hdop the same, horizontal
+   * @param vdop the same, vertical
+   * @param system 1 GPS, 2 GLONASS, 3 Galileo, 4 BeiDou, 5 QZSS, 6 NavIC; −1 where not told
+   */
+  record Gsa(
+      String talker,
+      int dimensions,
+      List<Integer> satellites,
+      double pdop,
+      double hdop,
+      double vdop,
+      int system)
+      implements NmeaSentence {}
+
+  /**
+   * {@code GSV}: satellites in view, at most four in a sentence.
+   *
+   * @param talker who talks
+   * @param total how many sentences tell of all
+   * @param number which one this is, from 1
+   * @param inView how many satellites are in view
+   * @param satellites the ones told of here
+   * @param signal which of the satellites' signals; −1 where not told
+   */
+  record Gsv(
+      String talker, int total, int number, int inView, List<Satellite> satellites, int signal)
+      implements NmeaSentence {}
+
+  /**
+   * A satellite in view.
+   *
+   * @param number its number, in the receiver's way of counting
+   * @param elevation above the horizon, degrees; −1 if empty
+   * @param azimuth from true north, clockwise, degrees; −1 if empty
+   * @param signal carrier to noise density, dB-Hz; −1 if it is not tracked
+   */
+  record Satellite(int number, int elevation, int azimuth, int signal) {}
+
+  /** An intact sentence of another type, or a maker's own. */
+  record Other(String talker, String type) implements NmeaSentence {}
+
+  /**
+   * An intact sentence whose content cannot be.
+   *
+   * @param reason which field, what it is and what it may be
+   */
+  record Malformed(String talker, String type, String reason) implements NmeaSentence {}
+}

@@ -1,0 +1,20 @@
+/**
+ * Receivers of satellite positions: what their drivers have in common. Each protocol has a package
+ * of its own below.
+ *
+ * <pre>
+ *   bytes --&gt; ReceiverProtocol --solutions, satellites--&gt; ReceiverImpl --&gt; GPSSensor
+ *             m12, nmea, ubx, gpsd                         the module
+ *                    ^                                        |
+ *                    +------ ReceiverDialogue &lt;-- LinkKeeper --+
+ *                            is it alive?         opens, reads, opens again
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.drivers.gps.ReceiverImpl}. A further receiver is one class that
+ * extends it, with a parser of its own; nothing else in DFRA needs to know of it but a file of
+ * module properties.
+ */
+@NullMarked
+package org.dfra.drivers.gps;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,198 @@
+package org.dfra.drivers.gps.ubx;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.FixedPace;
+import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.Solution;
+import org.dfra.drivers.gps.ubx.UbxMessage.NavPvt;
+import org.dfra.drivers.gps.ubx.UbxMessage.Version;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.Precondition;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A u-blox receiver that speaks UBX, generations 7 to 9: {@code NAV-PVT}, {@code NAV-SAT}, {@code
+ * MON-VER}.
+ *
+ * <p>When the link is opened it is asked what it is, told the period ({@code CFG-RATE}) and what to
+ * send ({@code CFG-MSG}), in its working memory only. One that refuses a setting is said to, and
+ * serves all the same where it was set up with its maker's tool.
+ *
+ * <p>Parameter, besides those of every {@link ReceiverImpl}: {@code period}, seconds from one
+ * position to the next, 0.05 to 60; default 1.
+ *
+ * <p>Test, besides: {@code identification}, the receiver answers {@code MON-VER} within 3 s.
+ */
+public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
+
+  private static final List<Precondition> PRECONDITIONS =
+      List.of(
+          new Precondition("temperature of the receiver", -40, 85, "°C"),
+          new Precondition("altitude", -1000, 50_000, "m"),
+          new Precondition("speed", 0, 500, "m/s"),
+          ReceiverKind.SATELLITES);
+
+  private static final ReceiverKind KIND =
+      ReceiverKind.of("u-blox receiver, by UBX", 1.0 / 60, 20, PRECONDITIONS);
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public UbxImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  UbxImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    this(
+        context, ticker, source, new FixedPace(context.parameters().number("period", 1, 0.05, 60)));
+  }
+
+  private UbxImpl(
+      ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source, FixedPace pace) {
+    super(context, KIND, pace, listener -> new Protocol(context, pace, listener), ticker, source);
+    examinations()
+        .test(
+            "identification",
+            () ->
+                examination()
+                    .ask(
+                        UbxCommands.version(),
+                        "MON-VER",
+                        "MON-VER",
+                        () -> "it says it is " + protocol().model()));
+  }
+
+  /** Tells the receiver what to send, and takes it. */
+  static final class Protocol implements ReceiverProtocol {
+
+    private static final String SYSTEMS = "GSEC?JRI";
+    private static final int SKY_EVERY = 5; // solutions; the sky turns slowly
+
+    private final ModuleContext context;
+    private final FixedPace pace;
+    private final Listener listener;
+    private final UbxParser parser = new UbxParser(this::heard);
+    private volatile @Nullable Version version; // read by anyone
+    private int visible;
+
+    Protocol(ModuleContext context, FixedPace pace, Listener listener) {
+      this.context = context;
+      this.pace = pace;
+      this.listener = listener;
+    }
+
+    String model() {
+      Version told = version;
+      String model = told == null ? null : told.extension("MOD");
+      return model == null ? "a u-blox receiver" : model;
+    }
+
+    @Override
+    public void opened(SerialLink link) throws IOException {
+      visible = 0;
+      link.write(UbxCommands.version());
+      link.write(UbxCommands.period(Duration.ofMillis(Math.round(1000 * pace.seconds()))));
+      link.write(UbxCommands.positions());
+      link.write(UbxCommands.satellites(SKY_EVERY));
+    }
+
+    @Override
+    public void feed(byte[] bytes, int length) {
+      parser.feed(bytes, 0, length);
+    }
+
+    @Override
+    public void finish() {
+      parser.finish();
+    }
+
+    @Override
+    public StreamCounts counts() {
+      return parser.counts();
+    }
+
+    private void heard(UbxMessage message) {
+      if (message instanceof NavPvt position) {
+        listener.solved(solution(position));
+      } else if (message instanceof UbxMessage.NavSat sky) {
+        List<SatelliteInView> satellites = inView(sky);
+        visible = satellites.size();
+        listener.saw(satellites);
+      } else if (message instanceof Version told) {
+        version = told;
+        listener.identified(
+            new GpsReceiverAttributes(
+                told.extension("MOD"), null, null, told.software(), null, List.of("2D", "3D")));
+      } else if (message instanceof UbxMessage.Ack ack && !ack.accepted()) {
+        listener.warned(
+            String.format(
+                Locale.ROOT,
+                "the receiver refuses setting %04X; set it up with its maker's tool to send"
+                    + " NAV-PVT",
+                ack.type()));
+      } else if (message instanceof UbxMessage.Malformed malformed) {
+        listener.malformed(malformed.name(), malformed.reason());
+      }
+      listener.heard(message.name());
+    }
+
+    private Solution solution(NavPvt told) {
+      GpsFix.Mode mode =
+          switch (told.fixOk() ? told.fixType() : 0) {
+            case 2 -> GpsFix.Mode.FIX_2D;
+            case 3, 4 -> GpsFix.Mode.FIX_3D;
+            case 5 -> GpsFix.Mode.POSITION_HOLD;
+            default -> GpsFix.Mode.NONE;
+          };
+      boolean none = mode == GpsFix.Mode.NONE;
+      return new Solution(
+          new GpsFix(
+              mode,
+              none ? null : new GeoPosition(told.latitude(), told.longitude(), told.height()),
+              told.utc() == null ? context.clock().instant() : told.utc(),
+              told.groundSpeed(),
+              told.course(),
+              none ? 0 : told.pdop(),
+              Math.max(visible, told.satellites()),
+              told.satellites()),
+          told.utc() != null && told.resolved()
+              ? null
+              : "does not know UTC for sure yet; after a cold start that takes up to 12.5 minutes",
+          none ? "searching for satellites, " + told.satellites() + " used" : "giving a fix",
+          told.horizontalAccuracy(),
+          told.verticalAccuracy());
+    }
+
+    private static List<SatelliteInView> inView(UbxMessage.NavSat sky) {
+      List<SatelliteInView> all = new ArrayList<>();
+      for (UbxMessage.Satellite each : sky.satellites()) {
+        char system = each.system() < SYSTEMS.length() ? SYSTEMS.charAt(each.system()) : '?';
+        int number = system == 'S' ? each.number() - 100 : each.number();
+        boolean placed = Math.abs(each.elevation()) <= 90;
+        all.add(
+            new SatelliteInView(
+                String.format(Locale.ROOT, "%c%02d", system, number),
+                placed ? each.elevation() : null,
+                placed ? each.azimuth() : null,
+                each.signal() == 0 ? null : each.signal(),
+                each.used()));
+      }
+      return all;
+    }
+  }
+}

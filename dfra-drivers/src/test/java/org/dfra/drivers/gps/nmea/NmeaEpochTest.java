@@ -1,0 +1,146 @@
+package org.dfra.drivers.gps.nmea;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.drivers.fixture.Sentences;
+import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.Solution;
+import org.dfra.flow.sensor.GpsFix;
+import org.junit.jupiter.api.Test;
+
+class NmeaEpochTest {
+
+  private static final Instant HOST = Instant.parse("2026-11-21T00:00:10Z");
+  private static final String GGA = "GNGGA,%s,4807.038,N,01131.0,E,1,08,0.9,545.4,M,46.9,M,,";
+  private static final String RMC = "GNRMC,%s,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A";
+
+  private final List<Solution> told = new ArrayList<>();
+  private final NmeaEpoch epoch = new NmeaEpoch(() -> HOST, told::add);
+  private final NmeaParser parser = new NmeaParser(epoch::take);
+
+  @Test
+  void tellsAMomentAsSoonAsBothSentencesAreThere() {
+    hear("GNGSA,A,3,04,05,,,,,,,,,,,2.5,1.3,2.1");
+    hear(RMC.formatted("120000.00"));
+    assertThat(told).isEmpty();
+    hear(GGA.formatted("120000.00"));
+    GpsFix fix = told.get(0).fix();
+    assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+    assertThat(fix.position().height()).isCloseTo(592.3, within(1e-9)); // 545.4 + 46.9
+    assertThat(fix.utc()).isEqualTo("2026-11-21T12:00:00Z");
+    assertThat(fix.speed()).isCloseTo(5.1444, within(1e-4));
+    assertThat(fix.course()).isEqualTo(84.4);
+    assertThat(fix.dilution()).isEqualTo(2.5);
+    assertThat(fix.satellitesTracked()).isEqualTo(8);
+    assertThat(told.get(0).utcDoubt()).isNull();
+    hear(GGA.formatted("120000.00"));
+    assertThat(told).as("a moment is told once").hasSize(1);
+  }
+
+  @Test
+  void learnsThatAReceiverSendsOneSentenceOnly() {
+    for (int second = 0; second < 5; second++) {
+      hear(GGA.formatted("00001" + second));
+    }
+    assertThat(told).hasSize(5);
+    assertThat(told.get(4).fix().utc()).as("the host's day").isEqualTo("2026-11-21T00:00:14Z");
+    assertThat(told.get(4).utcDoubt()).isEqualTo("has not told the date yet, which only RMC does");
+    hear(RMC.formatted("000015"));
+    hear(GGA.formatted("000015"));
+    assertThat(told).as("and that it sends both after all").hasSize(6);
+    assertThat(told.get(5).utcDoubt()).isNull();
+  }
+
+  @Test
+  void rmcAloneGivesAFlatFix() {
+    for (int second = 0; second < 3; second++) {
+      hear(RMC.formatted("12000" + second));
+    }
+    assertThat(told).hasSize(3);
+    assertThat(told.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+    assertThat(told.get(2).fix().position().height()).isZero();
+  }
+
+  @Test
+  void aLostSentenceDelaysItsMomentOnly() {
+    hear(RMC.formatted("120000"));
+    hear(GGA.formatted("120000"));
+    hear(RMC.formatted("120001")); // its GGA is lost
+    assertThat(told).hasSize(1);
+    hear(RMC.formatted("120002"));
+    assertThat(told).hasSize(2);
+    assertThat(told.get(1).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+    hear(GGA.formatted("120002"));
+    assertThat(told).hasSize(3);
+    assertThat(told.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+  }
+
+  @Test
+  void theHostsDayIsTheNearestOne() {
+    hear(GGA.formatted("235959"));
+    hear(GGA.formatted("000000"));
+    assertThat(told.get(0).fix().utc()).isEqualTo("2026-11-20T23:59:59Z");
+  }
+
+  @Test
+  void aReceiverThatSearchesHasNoPosition() {
+    hear("GPGSV,1,1,02,03,10,050,,04,45,090,31");
+    for (int second = 0; second < 2; second++) {
+      hear("GPRMC,,V,,,,,,,,,,N");
+      hear("GPGGA,,,,,,0,00,99.99,,,,,,");
+    }
+    assertThat(told).hasSize(2);
+    assertThat(told.get(0).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
+    assertThat(told.get(0).state()).isEqualTo("searching for satellites, 1 of 2 heard");
+    assertThat(told.get(0).utcDoubt()).isEqualTo("has not told the time yet");
+  }
+
+  @Test
+  void whatIsEstimatedOrDoubtedIsNoPosition() {
+    hear(RMC.formatted("120000"));
+    hear(GGA.formatted("120000").replace(",E,1,", ",E,6,"));
+    hear(RMC.formatted("120001").replace(",A,48", ",V,48"));
+    hear(GGA.formatted("120001"));
+    hear(RMC.formatted("120002"));
+    hear(GGA.formatted("120002").replace(",E,1,", ",E,7,"));
+    assertThat(told)
+        .extracting(solution -> solution.fix().mode())
+        .containsExactly(GpsFix.Mode.NONE, GpsFix.Mode.NONE, GpsFix.Mode.POSITION_HOLD);
+  }
+
+  @Test
+  void withoutTheGeoidAFixIsFlat() {
+    hear(RMC.formatted("120000"));
+    hear(GGA.formatted("120000").replace("46.9", ""));
+    assertThat(told.get(0).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+  }
+
+  @Test
+  void putsTheSatellitesOfAllSystemsTogether() {
+    hear("GNGSA,A,3,04,,,,,,,,,,,,2.5,1.3,2.1,1");
+    hear("GNGSA,A,3,65,,,,,,,,,,,,2.5,1.3,2.1,2");
+    hear("GPGSV,2,1,05,03,10,050,,04,45,090,31,08,20,180,20,40,30,200,25");
+    hear("GPGSV,2,2,05,09,05,010,12");
+    hear("GLGSV,1,1,01,65,50,300,40");
+    assertThat(epoch.satellites())
+        .containsExactly(
+            new SatelliteInView("G03", 10, 50, null, false),
+            new SatelliteInView("G04", 45, 90, 31, true),
+            new SatelliteInView("G08", 20, 180, 20, false),
+            new SatelliteInView("G09", 5, 10, 12, false),
+            new SatelliteInView("R01", 50, 300, 40, true),
+            new SatelliteInView("S27", 30, 200, 25, false));
+    hear("GPGSV,2,1,01,03,11,050,"); // its second part is lost: the old ones stay
+    hear("GPGSV,2,1,01,03,11,050,");
+    assertThat(epoch.satellites()).hasSize(6);
+  }
+
+  private void hear(String body) {
+    byte[] sentence = Sentences.with(body);
+    parser.feed(sentence, 0, sentence.length);
+  }
+}

@@ -1,0 +1,249 @@
+package org.dfra.sim.device;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.time.Instant;
+import java.time.InstantSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A device behind a TCP port of the loopback interface, as one on a serial server.
+ *
+ * <p>It has one client at a time; a new one takes the place of the old, so that a computer that
+ * fell off the network finds its device again. Bytes that come out while there is no client, or
+ * while the client does not read, are lost, as on a serial line.
+ *
+ * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
+ * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
+ * done. Both do nothing the second time.
+ */
+public class DeviceEmulator implements AutoCloseable {
+
+  /** Real time between two looks at the clock. */
+  private static final int LOOK_EVERY_MILLIS = 5;
+
+  private final String name;
+  private final int wantedPort;
+  private final InstantSource clock;
+  private final SerialDevice device; // confined to the thread
+
+  private boolean begun; // guarded by this
+  private boolean closed; // guarded by this
+  private @Nullable ServerSocketChannel server; // guarded by this
+  private @Nullable Selector selector; // guarded by this
+  private @Nullable Thread thread; // guarded by this
+  private volatile boolean running;
+
+  /**
+   * @param name the device's name, for its thread
+   * @param port TCP port on the loopback interface, 0 to 65535; 0 is any free one
+   * @param device the device; the emulator's thread owns it from now on
+   * @param clock the time it tells and paces its bytes by; may run at any speed or be stepped
+   */
+  public DeviceEmulator(String name, int port, SerialDevice device, InstantSource clock) {
+    if (port < 0 || port > 65535) {
+      throw new IllegalArgumentException("port " + port + " is outside 0 to 65535");
+    }
+    this.name = name;
+    this.wantedPort = port;
+    this.device = device;
+    this.clock = clock;
+  }
+
+  /**
+   * Opens the port and begins to work.
+   *
+   * @throws IOException if the port cannot be had
+   */
+  public final synchronized void start() throws IOException {
+    if (closed) {
+      throw new IllegalStateException("this emulator was closed; make a new one");
+    }
+    if (begun) {
+      return;
+    }
+    ServerSocketChannel listening = ServerSocketChannel.open();
+    try {
+      listening.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+      listening.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), wantedPort));
+      listening.configureBlocking(false);
+      Selector chosen = Selector.open();
+      SelectionKey unused = listening.register(chosen, SelectionKey.OP_ACCEPT);
+      server = listening;
+      selector = chosen;
+      begun = true;
+      running = true;
+      Thread worker = new Thread(() -> run(listening, chosen), name + " emulator " + port());
+      thread = worker;
+      worker.start();
+    } catch (IOException e) {
+      listening.close();
+      throw new IOException(
+          "port "
+              + wantedPort
+              + " of the loopback interface cannot be had ("
+              + e.getMessage()
+              + "); choose another, or 0 for any free one",
+          e);
+    }
+  }
+
+  /**
+   * The port it listens on.
+   *
+   * @throws IllegalStateException if it does not listen
+   */
+  public final synchronized int port() {
+    if (server == null || !server.isOpen()) {
+      throw new IllegalStateException("the emulator does not listen; start it first");
+    }
+    return server.socket().getLocalPort();
+  }
+
+  /** The link a driver finds it at: {@code tcp://127.0.0.1:port}. */
+  public final String url() {
+    return "tcp://" + InetAddress.getLoopbackAddress().getHostAddress() + ":" + port();
+  }
+
+  /** Waits until it has been closed. */
+  public final void await() throws InterruptedException {
+    Thread worker;
+    synchronized (this) {
+      worker = thread;
+    }
+    if (worker != null) {
+      worker.join();
+    }
+  }
+
+  @Override
+  public final void close() {
+    Thread worker;
+    synchronized (this) {
+      closed = true;
+      running = false;
+      if (selector != null) {
+        selector.wakeup();
+      }
+      worker = thread;
+    }
+    if (worker == null || worker == Thread.currentThread()) {
+      return;
+    }
+    try {
+      worker.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void run(ServerSocketChannel listening, Selector chosen) {
+    Client client = null;
+    try (listening;
+        chosen) {
+      while (running) {
+        chosen.select(LOOK_EVERY_MILLIS);
+        chosen.selectedKeys().clear();
+        SocketChannel caller = listening.accept();
+        if (caller != null) {
+          client = replace(client, caller, chosen);
+        }
+        client = exchange(client, clock.instant());
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("the emulator cannot go on: " + e.getMessage(), e);
+    } finally {
+      if (client != null) {
+        client.close();
+      }
+    }
+  }
+
+  private Client replace(@Nullable Client old, SocketChannel caller, Selector chosen)
+      throws IOException {
+    if (old != null) {
+      old.close();
+    }
+    device.connected();
+    return new Client(caller, chosen);
+  }
+
+  /** One look: what the client says to the device, what the device says to the client. */
+  private @Nullable Client exchange(@Nullable Client client, Instant now) {
+    boolean isThere = client != null;
+    if (client != null) {
+      isThere = client.read((bytes, length) -> device.receive(bytes, 0, length, now));
+    }
+    ByteBuffer out = ByteBuffer.allocate(4096);
+    device.transmit(out, now);
+    out.flip();
+    if (client == null) {
+      return null;
+    }
+    if (isThere && client.write(out)) {
+      return client;
+    }
+    client.close();
+    return null;
+  }
+
+  /** A connection, non-blocking. */
+  private static final class Client {
+
+    private interface Sink {
+      void bytes(byte[] bytes, int length);
+    }
+
+    private final SocketChannel channel;
+    private final ByteBuffer in = ByteBuffer.allocate(1024);
+
+    Client(SocketChannel channel, Selector selector) throws IOException {
+      this.channel = channel;
+      channel.configureBlocking(false);
+      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+      SelectionKey unused = channel.register(selector, SelectionKey.OP_READ);
+    }
+
+    /** Takes what has come; false when the client has gone. */
+    boolean read(Sink sink) {
+      try {
+        in.clear();
+        int count = channel.read(in);
+        if (count > 0) {
+          sink.bytes(in.array(), count);
+        }
+        return count >= 0;
+      } catch (IOException e) {
+        return false;
+      }
+    }
+
+    /** Sends what the network takes now; the rest is lost. False when the client has gone. */
+    boolean write(ByteBuffer out) {
+      try {
+        if (out.hasRemaining()) {
+          channel.write(out);
+        }
+        return true;
+      } catch (IOException e) {
+        return false;
+      }
+    }
+
+    void close() {
+      try {
+        channel.close();
+      } catch (IOException e) {
+        // it is gone either way
+      }
+    }
+  }
+}

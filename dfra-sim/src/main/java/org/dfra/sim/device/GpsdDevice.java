@@ -1,0 +1,131 @@
+package org.dfra.sim.device;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * What gpsd says over its connection, with one receiver that tells once a second. It greets with
+ * its version; {@code ?WATCH} with {@code "enable":true} makes it tell, {@code ?VERSION} and {@code
+ * ?DEVICES} ask. Everything else is an error. Source: gpsd's protocol documentation.
+ */
+public final class GpsdDevice extends StreamingDevice {
+
+  private static final int LONGEST_COMMAND = 512;
+  private static final String PATH = "/dev/emulator";
+  private static final String VERSION =
+      "{\"class\":\"VERSION\",\"release\":\"3.22\",\"rev\":\"emulator\",\"proto_major\":3,"
+          + "\"proto_minor\":14}";
+  private static final String DEVICES =
+      "{\"class\":\"DEVICES\",\"devices\":[{\"class\":\"DEVICE\",\"path\":\""
+          + PATH
+          + "\",\"driver\":\"NMEA0183\",\"subtype\":\"emulator\",\"activated\":"
+          + "\"2026-01-01T00:00:00.000Z\"}]}";
+
+  private final StringBuilder command = new StringBuilder();
+  private boolean greets = true;
+
+  /**
+   * @param path where its receiver's antenna is
+   * @param baud bits per second at which the lines come
+   * @param timeToFirstFix how long after it was switched on it looks for satellites
+   */
+  public GpsdDevice(AntennaPath path, int baud, Duration timeToFirstFix) {
+    super(path, baud, timeToFirstFix, false);
+  }
+
+  @Override
+  public void connected() {
+    command.setLength(0);
+    greets = true;
+    talk(false);
+  }
+
+  @Override
+  void obey(byte[] bytes, int offset, int length, Instant time) {
+    for (int i = offset; i < offset + length; i++) {
+      char each = (char) (bytes[i] & 0xFF);
+      if (each == ';') {
+        command(command.toString().strip(), time);
+        command.setLength(0);
+      } else if (command.length() < LONGEST_COMMAND) {
+        command.append(each);
+      }
+    }
+  }
+
+  private void command(String text, Instant time) {
+    if (greets) {
+      greets = false;
+      line(VERSION, time);
+    }
+    if (text.startsWith("?WATCH=")) {
+      boolean on = text.contains("\"enable\":true");
+      talk(on);
+      line(DEVICES, time);
+      line("{\"class\":\"WATCH\",\"enable\":" + on + ",\"json\":true}", time);
+    } else if (text.equals("?VERSION")) {
+      line(VERSION, time);
+    } else if (text.equals("?DEVICES")) {
+      line(DEVICES, time);
+    } else {
+      line("{\"class\":\"ERROR\",\"message\":\"Unrecognized request\"}", time);
+    }
+  }
+
+  @Override
+  void tell(Instant time, boolean hasFix, AntennaState antenna) {
+    Sky sky = hasFix ? Sky.found(time) : Sky.searching(time);
+    String satellites =
+        sky.channels().stream()
+            .map(
+                channel ->
+                    String.format(
+                        Locale.ROOT,
+                        "{\"PRN\":%d,\"el\":%.1f,\"az\":%.1f,\"ss\":%.1f,\"used\":%b,"
+                            + "\"gnssid\":0,\"svid\":%d}",
+                        channel.satellite(),
+                        (double) channel.elevation(),
+                        (double) channel.azimuth(),
+                        (double) channel.carrierToNoise(),
+                        hasFix && channel.isUsed(),
+                        channel.satellite()))
+            .collect(Collectors.joining(","));
+    line(
+        "{\"class\":\"SKY\",\"device\":\""
+            + PATH
+            + "\",\"hdop\":0.90,\"pdop\":1.80,\"satellites\":["
+            + satellites
+            + "]}",
+        time);
+    String told = time.truncatedTo(ChronoUnit.MILLIS).toString();
+    line(
+        hasFix
+            ? String.format(
+                Locale.ROOT,
+                "{\"class\":\"TPV\",\"device\":\"%s\",\"status\":1,\"mode\":3,\"time\":\"%s\","
+                    + "\"lat\":%.9f,\"lon\":%.9f,\"altHAE\":%.4f,\"altMSL\":%.4f,\"track\":%.4f,"
+                    + "\"speed\":%.3f,\"eph\":1.500,\"epv\":2.500}",
+                PATH,
+                told,
+                antenna.position().latitude(),
+                antenna.position().longitude(),
+                antenna.position().height(),
+                antenna.position().height() - NmeaDevice.GEOID,
+                antenna.course(),
+                antenna.speed())
+            : "{\"class\":\"TPV\",\"device\":\""
+                + PATH
+                + "\",\"mode\":1,\"time\":\""
+                + told
+                + "\"}",
+        time);
+  }
+
+  private void line(String text, Instant time) {
+    send((text + "\r\n").getBytes(StandardCharsets.UTF_8), time);
+  }
+}

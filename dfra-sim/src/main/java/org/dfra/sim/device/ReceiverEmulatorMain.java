@@ -1,0 +1,119 @@
+package org.dfra.sim.device;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.time.Clock;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dfra.geometry.GeoPosition;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * An emulated GPS receiver as a process of its own. Prints {@code listening on
+ * tcp://127.0.0.1:PORT} when it is ready, and runs until it is terminated. Exit status 2 when an
+ * option is wrong, 1 when the port cannot be had.
+ */
+@Command(
+    name = "receiver-emulator",
+    mixinStandardHelpOptions = true,
+    description = "A GPS receiver that does not exist, on a TCP port.")
+public final class ReceiverEmulatorMain implements Callable<Integer> {
+
+  /** What the receiver speaks. */
+  enum Protocol {
+    /** Motorola's binary one. */
+    M12,
+    /** NMEA 0183. */
+    NMEA,
+    /** That of u-blox. */
+    UBX,
+    /** That of gpsd. */
+    GPSD
+  }
+
+  @Option(
+      names = "--protocol",
+      defaultValue = "M12",
+      description = "What it speaks: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private Protocol protocol = Protocol.M12;
+
+  @Option(
+      names = "--port",
+      defaultValue = "0",
+      description = "TCP port on the loopback interface; 0 is any free one. Default: 0.")
+  private int port;
+
+  @Option(
+      names = "--latitude",
+      defaultValue = "48.0",
+      description = "Degrees, north is +. Default: ${DEFAULT-VALUE}.")
+  private double latitude;
+
+  @Option(
+      names = "--longitude",
+      defaultValue = "11.0",
+      description = "Degrees, east is +. Default: ${DEFAULT-VALUE}.")
+  private double longitude;
+
+  @Option(
+      names = "--height",
+      defaultValue = "500",
+      description = "Metres above the WGS84 ellipsoid. Default: ${DEFAULT-VALUE}.")
+  private double height;
+
+  @Option(
+      names = "--baud",
+      defaultValue = "9600",
+      description = "Bits per second of the line. Default: ${DEFAULT-VALUE}.")
+  private int baud;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  private ReceiverEmulatorMain() {}
+
+  /** Runs it. */
+  public static void main(String[] arguments) {
+    System.exit(new CommandLine(new ReceiverEmulatorMain()).execute(arguments));
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    PrintWriter out = spec.commandLine().getOut();
+    try (DeviceEmulator emulator = emulator()) {
+      emulator.start();
+      Runtime.getRuntime().addShutdownHook(new Thread(emulator::close, "emulator end"));
+      out.println("listening on " + emulator.url());
+      out.flush();
+      emulator.await();
+      return 0;
+    } catch (IOException e) {
+      spec.commandLine().getErr().println(e.getMessage());
+      return 1;
+    }
+  }
+
+  private DeviceEmulator emulator() {
+    try {
+      AntennaPath path = AntennaPath.fixed(new GeoPosition(latitude, longitude, height));
+      SerialDevice device =
+          switch (protocol) {
+            case M12 -> new M12Device(path, baud, Duration.ZERO);
+            case NMEA -> new NmeaDevice(path, baud, Duration.ZERO);
+            case UBX -> new UbxDevice(path, baud, Duration.ZERO);
+            case GPSD -> new GpsdDevice(path, baud, Duration.ZERO);
+          };
+      return new DeviceEmulator(
+          protocol.name().toLowerCase(Locale.ROOT), port, device, Clock.systemUTC());
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+    }
+  }
+}

@@ -1,0 +1,30 @@
+package org.dfra.sim.device;
+
+import java.nio.ByteBuffer;
+import java.time.Instant;
+
+/**
+ * A device between its two wires: takes bytes, sends bytes. Knows no thread and reads no clock;
+ * confined to one thread, which says what time it is.
+ */
+public interface SerialDevice {
+
+  /**
+   * Takes bytes from the computer, cut anywhere.
+   *
+   * @param bytes holds them
+   * @param offset index of the first
+   * @param length how many
+   * @param time when they came
+   */
+  void receive(byte[] bytes, int offset, int length, Instant time);
+
+  /**
+   * Puts the bytes that have come out of the device by {@code time}, and not been put before, into
+   * {@code out}, as far as they fit.
+   */
+  void transmit(ByteBuffer out, Instant time);
+
+  /** A new computer is on the line; devices that are not on a serial line begin anew for it. */
+  default void connected() {}
+}

@@ -1,0 +1,30 @@
+package org.dfra.sim.device;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.gpsd.GpsdImpl;
+
+class GpsdDriverTest extends ReceiverDriverContract {
+
+  @Override
+  SerialDevice device(AntennaPath path, Duration timeToFirstFix) {
+    return new GpsdDevice(path, 115_200, timeToFirstFix);
+  }
+
+  @Override
+  ReceiverImpl<?> driver(ModuleContext context) {
+    return new GpsdImpl(context);
+  }
+
+  @Override
+  double resolution() {
+    return 1e-9;
+  }
+
+  @Override
+  List<String> furtherTests() {
+    return List.of("identification");
+  }
+}

@@ -1,0 +1,35 @@
+package org.dfra.sim.device;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Programs that a test needs and a computer may lack. */
+final class Programs {
+
+  private Programs() {}
+
+  /** Where the program is; skips the test where it is not installed. */
+  static String find(String program) {
+    List<String> folders = new ArrayList<>();
+    folders.addAll(List.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1)));
+    folders.add("/usr/sbin"); // where daemons are, and not on every user's path
+    for (String folder : folders) {
+      Path path = Path.of(folder, program);
+      if (Files.isExecutable(path)) {
+        return path.toString();
+      }
+    }
+    assumeTrue(false, program + " is not installed: this test needs the real one");
+    throw new AssertionError();
+  }
+
+  /** Ends a process and waits until it has. */
+  static void end(Process process) throws InterruptedException {
+    process.destroyForcibly().waitFor();
+  }
+}

@@ -1,0 +1,30 @@
+package org.dfra.sim.device;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.ubx.UbxImpl;
+
+class UbxDriverTest extends ReceiverDriverContract {
+
+  @Override
+  SerialDevice device(AntennaPath path, Duration timeToFirstFix) {
+    return new UbxDevice(path, 115_200, timeToFirstFix);
+  }
+
+  @Override
+  ReceiverImpl<?> driver(ModuleContext context) {
+    return new UbxImpl(context);
+  }
+
+  @Override
+  double resolution() {
+    return 1e-7 / 2 + 1e-12;
+  }
+
+  @Override
+  List<String> furtherTests() {
+    return List.of("identification");
+  }
+}
