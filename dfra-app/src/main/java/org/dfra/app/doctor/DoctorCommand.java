@@ -92,9 +92,12 @@ public final class DoctorCommand implements Callable<Integer> {
       return Examination.of(checks);
     } catch (ConfigurationException | IOException e) {
       List<Finding> findings = new ArrayList<>(Examination.of(checks));
-      findings.add(
+      Finding unable =
           Finding.fail(
-              Subject.REGISTRAR, e, "Mend that; no lookup service can be looked for before."));
+              Subject.REGISTRAR, e, "Mend that; no lookup service can be looked for before.");
+      if (findings.stream().noneMatch(each -> each.what().equals(unable.what()))) {
+        findings.add(unable);
+      }
       return findings;
     }
   }

@@ -60,7 +60,9 @@ final class PhoenixCheck implements Check {
     if (pid.isEmpty()) {
       return Finding.warn(
           subject(),
-          "none answers at " + phoenix.address() + ", so no robot is up on this host",
+          "none answers at "
+              + phoenix.address()
+              + ", so nothing is brought up or back on this host",
           "Bring one up: ./dfra up ROBOT.XML; for a robot elsewhere nothing is to be done.");
     }
     return Finding.fail(

@@ -54,7 +54,7 @@ final class RegistrarCheck implements Check {
    */
   RegistrarCheck(Search search, List<String> named, boolean isRobotUp) {
     this.search = search;
-    this.named = List.copyOf(named);
+    this.named = named.stream().map(RegistrarCheck::plain).toList();
     this.isRobotUp = isRobotUp;
   }
 
@@ -68,7 +68,8 @@ final class RegistrarCheck implements Check {
     Survey survey = search.look();
     List<Finding> findings = new ArrayList<>();
     survey.seen().forEach(each -> findings.add(of(each)));
-    for (String locator : survey.silent()) {
+    for (String silent : survey.silent()) {
+      String locator = plain(silent);
       if (named.contains(locator)) {
         findings.add(
             Finding.fail(
@@ -93,6 +94,11 @@ final class RegistrarCheck implements Check {
                   + " does not reach."));
     }
     return findings;
+  }
+
+  /** As people write it; River puts a slash at the end. */
+  private static String plain(String locator) {
+    return locator.endsWith("/") ? locator.substring(0, locator.length() - 1) : locator;
   }
 
   private Finding of(Seen seen) {

@@ -60,7 +60,9 @@ class RobotChecksTest {
     assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null)).examine())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
-        .returns("none answers at 192.0.2.10:1198, so no robot is up on this host", Finding::what);
+        .returns(
+            "none answers at 192.0.2.10:1198, so nothing is brought up or back on this host",
+            Finding::what);
     assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null)).examine())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)

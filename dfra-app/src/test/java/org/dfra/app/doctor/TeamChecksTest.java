@@ -51,7 +51,7 @@ class TeamChecksTest {
 
   @Test
   void aLocatorThatIsSilentIsAFailureIfSomebodyReliesOnIt() throws Exception {
-    RegistrarCheck.Search silent = () -> new Survey(List.of(), List.of(HERE));
+    RegistrarCheck.Search silent = () -> new Survey(List.of(), List.of(HERE + "/"));
     assertThat(new RegistrarCheck(silent, List.of(HERE), false).examine())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
