@@ -10,7 +10,12 @@ allprojects {
         options.compilerArgs.addAll(listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters"))
     }
     // Jar names carry no version, in either build: class paths and codebases name them.
-    tasks.withType<Jar>().configureEach { archiveVersion.set("") }
+    // And the same sources give the same bytes, as pom.xml's outputTimestamp has it.
+    tasks.withType<Jar>().configureEach {
+        archiveVersion.set("")
+        isPreserveFileTimestamps = false
+        isReproducibleFileOrder = true
+    }
 
     dependencies {
         "compileOnly"(rootProject.libs.jspecify)
@@ -28,6 +33,7 @@ allprojects {
         listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$rootDir")
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
+    val seed = providers.gradleProperty("dfra.seed").getOrElse("")
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
         group = "dfra"
@@ -37,6 +43,7 @@ allprojects {
         jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
+        systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little
     }
@@ -53,10 +60,18 @@ dependencies {
     testImplementation(rootProject.libs.archunit)
 }
 
-tasks.test { dependsOn(":dfra-river:dlJar") }
+tasks.test { dependsOn(":dfra-river:dlJar", ":dfra-app:lib") }
 
 val app = project(":dfra-app")
 val appLib = app.layout.buildDirectory.dir("lib")
+
+tasks.register<Exec>("dist") {
+    group = "dfra"
+    description = "Packs build/dfra-VERSION.tar.gz, which runs wherever there is a Java runtime."
+    dependsOn(":dfra-app:lib", ":dfra-activation:jar")
+    val boot = project(":dfra-activation").tasks.named<Jar>("jar").get().archiveFile.get().asFile.path
+    commandLine("src/dist/pack", appLib.get().asFile.path, boot, layout.buildDirectory.get().asFile.path)
+}
 
 fun JavaExec.runsDfra(what: String, vararg arguments: String) {
     group = "dfra"

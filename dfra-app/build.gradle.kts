@@ -20,6 +20,6 @@ tasks.register<Sync>("lib") {
     into(layout.buildDirectory.dir("lib"))
     // What a class server serves; it is not on the class path.
     into("dl") {
-        from(project(":dfra-api").tasks.named("jar"), project(":dfra-core").tasks.named("jar"), project(":dfra-river").tasks.named("dlJar"))
+        from(project(":dfra-api").tasks.named("jar"), project(":dfra-river").tasks.named("dlJar"))
     }
 }

@@ -34,11 +34,11 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, demo, down, event, help,"
-            + " lease, log, module, persona, status, test, up",
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, completion, demo, dist, doctor,"
+            + " down, event, help, lease, log, module, persona, status, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
-            + " | there is no demonstration \"nonesuch\"; there is foundation; see: ./dfra demo --help",
+            + " | there is no demonstration \"nonesuch\"; there is persona, foundation; see: ./dfra demo --help",
         "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
         "up --port=abc"
             + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra up --help",

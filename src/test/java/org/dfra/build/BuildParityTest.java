@@ -73,6 +73,19 @@ class BuildParityTest {
   }
 
   @Test
+  void bothBuildsPackWithTheSameScript() {
+    Path root = Repository.root();
+    assertThat(root.resolve("src/dist/pack")).isExecutable();
+    assertThat(Repository.read(root.resolve("dfra"))).contains("src/dist/pack");
+    assertThat(Repository.read(root.resolve("build.gradle.kts")))
+        .contains("tasks.register<Exec>(\"dist\")", "src/dist/pack")
+        .as("the same bytes for the same sources, as outputTimestamp in pom.xml has it")
+        .contains("isPreserveFileTimestamps = false", "isReproducibleFileOrder = true");
+    assertThat(Repository.read(root.resolve("pom.xml")))
+        .contains("<project.build.outputTimestamp>");
+  }
+
+  @Test
   void seesADependencyThatOneBuildLacks() throws IOException {
     house("", "");
     assertThat(differences(elsewhere))

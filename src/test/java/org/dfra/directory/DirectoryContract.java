@@ -25,6 +25,7 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Module;
+import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
@@ -357,6 +358,23 @@ abstract class DirectoryContract {
     assertThatThrownBy(lamp::who).as("once more, not for ever").isInstanceOf(Exception.class);
     assertThat(one.behaviour().calls).hasValue(3);
     assertThat(two.behaviour().calls).hasValue(3);
+  }
+
+  @Test
+  void aProxyForAQueryAsksAnotherModuleWhereOneIsNotReady() throws Exception {
+    ListedGps one = list("r", "one", 1);
+    ListedGps two = list("r", "two", 1);
+    Lamp lamp = directory.proxyFor(ModuleQuery.of(Lamp.class));
+    one.behaviour().notReady = new NotReadyException("r/one", Readiness.INITIALIZING, "on purpose");
+    assertThat(lamp.who()).isEqualTo("two");
+    assertThat(lamp.who()).isEqualTo("two");
+    assertThat(one.behaviour().calls).as("one that was not ready is left alone").hasValue(1);
+    two.behaviour().notReady = new NotReadyException("r/two", Readiness.INITIALIZING, "too");
+    assertThatThrownBy(lamp::who).as("once more, not for ever").hasMessageContaining("r/one");
+    assertThatThrownBy(lamp::toggle)
+        .as("a command goes to one only")
+        .isInstanceOf(NotReadyException.class)
+        .hasNoSuppressedExceptions();
   }
 
   @Test

@@ -13,6 +13,7 @@ import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Identification;
+import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 
 /** A module whose calls go where the test says; copies of it behave alike. */
@@ -21,6 +22,7 @@ record ListedGps(UUID id, String name) implements BareGps, Lamp, Serializable {
   /** What the calls of one module do. */
   static final class Behaviour {
     volatile RemoteException failure;
+    volatile NotReadyException notReady;
     final AtomicInteger calls = new AtomicInteger();
   }
 
@@ -35,6 +37,10 @@ record ListedGps(UUID id, String name) implements BareGps, Lamp, Serializable {
     RemoteException failure = behaviour().failure;
     if (failure != null) {
       throw failure;
+    }
+    NotReadyException notReady = behaviour().notReady;
+    if (notReady != null) {
+      throw notReady;
     }
   }
 

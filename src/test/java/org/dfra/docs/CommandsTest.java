@@ -77,6 +77,7 @@ class CommandsTest {
     assertThat(fault("fly")).isEqualTo("there is no verb fly");
     assertThat(fault("demo nosuch")).isEqualTo("there is no demonstration nosuch");
     assertThat(fault("up --down")).isEqualTo("up has no option --down");
+    assertThat(fault("dist --quick")).isEqualTo("dist has no option --quick");
     assertThat(fault("test --quick")).isEqualTo("test has no option --quick");
   }
 
@@ -93,6 +94,9 @@ class CommandsTest {
     String verb = words.get(0);
     if (verb.equals("test")) {
       return unknownOption(verb, words, testOptions());
+    }
+    if (verb.equals("dist")) {
+      return unknownOption(verb, words, Set.of("-h", "--help"));
     }
     if (verb.startsWith("-")) {
       return unknownOption("dfra", words, DFRA.getCommandSpec().optionsMap().keySet());

@@ -5,12 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.CodeSource;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.module.Module;
 import org.dfra.river.proxy.ModuleProxy;
 import org.junit.jupiter.api.Test;
 
@@ -20,42 +25,50 @@ class DownloadJarTest {
   private static final Path ROOT = Path.of(System.getProperty("dfra.root"), "dfra-river");
 
   @Test
-  void needsTheApiTheCoreRiverAndItsLoggingApiOnly() throws Exception {
+  void needsTheJdkTheApiAndRiverOnly() throws Exception {
+    JavaClasses api = api();
+    assertThat(api.contain(ListenerQueue.class)).isTrue();
     try (JarFile jar = new JarFile(file().toFile())) {
-      JavaClasses classes = new ClassFileImporter().importJar(jar);
-      assertThat(classes.contain(ModuleProxy.class)).isTrue();
-      assertThat(classes.contain("org.dfra.river.server.ModuleServer")).isFalse();
+      JavaClasses downloaded = new ClassFileImporter().importJar(jar);
+      assertThat(downloaded.contain(ModuleProxy.class)).isTrue();
+      assertThat(downloaded.contain("org.dfra.river.server.ModuleServer")).isFalse();
       Set<String> missing = new TreeSet<>();
-      for (JavaClass each : classes) {
+      for (JavaClass each : downloaded) {
         each.getDirectDependenciesFromSelf().stream()
             .map(dependency -> dependency.getTargetClass().getBaseComponentType())
-            .filter(target -> !target.isPrimitive() && !isKnown(target.getName()))
-            .filter(target -> !classes.contain(target.getName()))
+            .filter(target -> !target.isPrimitive() && !isForeign(target.getName()))
+            .filter(target -> !downloaded.contain(target.getName()))
+            .filter(target -> !api.contain(target.getName()))
             .forEach(target -> missing.add(each.getName() + " needs " + target.getName()));
       }
       assertThat(missing).isEmpty();
     }
   }
 
-  /** What a stranger has, or gets from dfra-api.jar and dfra-core.jar in the same codebase. */
-  private static boolean isKnown(String name) {
-    return Stream.of(
-                "java.",
-                "javax.",
-                "net.jini.",
-                "com.sun.jini.",
-                "org.jspecify.",
-                "org.slf4j.",
-                "org.dfra.")
-            .anyMatch(name::startsWith)
-        && !name.startsWith("org.dfra.river.");
+  /** What a stranger has. */
+  private static boolean isForeign(String name) {
+    return Stream.of("java.", "javax.", "net.jini.", "com.sun.jini.", "org.jspecify.annotations.")
+        .anyMatch(name::startsWith);
   }
 
-  private static Path file() {
+  static Path file() {
     return Stream.of("target/dfra-river-dl.jar", "build/libs/dfra-river-dl.jar")
         .map(ROOT::resolve)
         .filter(Files::exists)
         .findFirst()
         .orElseThrow(() -> new AssertionError("no dfra-river-dl.jar in " + ROOT + "; build it"));
+  }
+
+  /** From its jar or its folder of classes, whatever this build has. */
+  private static JavaClasses api() throws IOException, URISyntaxException {
+    CodeSource source = Module.class.getProtectionDomain().getCodeSource();
+    Path api = Path.of(source.getLocation().toURI());
+    ClassFileImporter importer = new ClassFileImporter();
+    if (Files.isDirectory(api)) {
+      return importer.importPath(api);
+    }
+    try (JarFile jar = new JarFile(api.toFile())) {
+      return importer.importJar(jar);
+    }
   }
 }

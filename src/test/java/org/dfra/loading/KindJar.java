@@ -78,6 +78,39 @@ final class KindJar {
                 .formatted(MARK, version)));
   }
 
+  /** What a robot has of a laser scanner and its clients do not: server and driver. */
+  static Path lidarServer(Path folder, Path kind) throws IOException {
+    return jar(
+        folder,
+        "lidar.jar",
+        List.of(kind),
+        Map.of(
+            "sample.lidar.LidarServer",
+            """
+            package sample.lidar;
+            import java.rmi.MarshalledObject;
+            import java.rmi.activation.ActivationID;
+            import org.dfra.river.server.*;
+            public final class LidarServer extends ModuleServer<Lidar> implements RemoteLidar {
+              public LidarServer(ActivationID id, MarshalledObject<ModuleActivation> data)
+                  throws Exception { super(Lidar.class, id, data); }
+              public double[] scan() throws java.rmi.RemoteException { return module().scan(); }
+            }
+            """,
+            "sample.lidar.LidarImpl",
+            """
+            package sample.lidar;
+            public final class LidarImpl extends org.dfra.core.module.ModuleImpl implements Lidar {
+              public LidarImpl(org.dfra.core.module.ModuleContext context) {
+                super(context, "Laser scanner", "Test", "1");
+              }
+              protected void onStart() { become(org.dfra.module.Readiness.READY); }
+              protected void onClose() {}
+              public double[] scan() { return new double[] {1, 2, 3}; }
+            }
+            """));
+  }
+
   /** A registrar's proxy that does harm as soon as it is initialised. */
   static Path registrar(Path folder) throws IOException {
     return jar(
@@ -111,6 +144,11 @@ final class KindJar {
 
   private static Path jar(Path folder, String name, Map<String, String> sources)
       throws IOException {
+    return jar(folder, name, List.of(), sources);
+  }
+
+  private static Path jar(Path folder, String name, List<Path> path, Map<String, String> sources)
+      throws IOException {
     Path classes = Files.createTempDirectory(folder, "classes");
     StringWriter complaints = new StringWriter();
     boolean compiled =
@@ -126,7 +164,7 @@ final class KindJar {
                     "-d",
                     classes.toString(),
                     "-cp",
-                    System.getProperty("java.class.path")),
+                    Role.classPath(path)),
                 null,
                 sources.entrySet().stream()
                     .map(each -> source(each.getKey(), each.getValue()))

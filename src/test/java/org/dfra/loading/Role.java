@@ -3,6 +3,7 @@ package org.dfra.loading;
 import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.File;
+import java.io.IOException;
 import java.io.InputStreamReader;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationHandler;
@@ -12,6 +13,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.rmi.Remote;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import net.jini.core.discovery.LookupLocator;
@@ -21,9 +23,12 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.discovery.OutgoingUnicastResponse;
 import net.jini.export.Exporter;
+import org.dfra.core.config.RobotXml;
 import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.ClassServer;
 import org.dfra.river.loading.TrustedCode;
@@ -48,6 +53,7 @@ final class Role {
       case "server" ->
           server(Integer.parseInt(args[1]), Integer.parseInt(args[2]), args[3], args[4]);
       case "hostile" -> hostile(args[1]);
+      case "robot" -> robot(args[1], Integer.parseInt(args[2]), args[3], args[4]);
       case "client" -> client();
       default -> throw new IllegalArgumentException(args[0]);
     }
@@ -137,15 +143,31 @@ final class Role {
     }
   }
 
-  /** For each port on its input: what it finds in the registrar there. */
+  /** For each line of input: brings a robot up and says what it says of its class server. */
+  private static void robot(String host, int port, String state, String xml) throws Exception {
+    say("ready");
+    BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
+    while (in.readLine() != null) {
+      RobotBootstrap bootstrap =
+          new RobotBootstrap(
+              new PhoenixProcess(host, port, -1, Path.of(state)), RobotXml.read(Path.of(xml)));
+      bootstrap.up();
+      say(bootstrap.classes().orElseThrow().missing().orElse("all is served"));
+    }
+  }
+
+  /** For each port on its input: what it finds in the registrar there; "again": the last one. */
   private static void client() throws Exception {
     say("ready");
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
     for (String port; (port = in.readLine()) != null; ) {
       try {
         Object found =
-            find(Integer.parseInt(port))
-                .lookup(new ServiceTemplate(null, new Class<?>[] {Module.class}, null));
+            port.equals("again")
+                ? kept
+                : find(Integer.parseInt(port))
+                    .lookup(new ServiceTemplate(null, new Class<?>[] {Module.class}, null));
+        kept = found;
         Object[] answers = {
           found.getClass().getMethod("build").invoke(found),
           ((double[]) found.getClass().getMethod("scan").invoke(found)).length,
@@ -169,6 +191,19 @@ final class Role {
 
   private static void say(String line) {
     System.out.println(TalkingProcess.SAID + line);
+  }
+
+  /**
+   * Starts a process in a role.
+   *
+   * @param path what is on its class path besides the test's own
+   */
+  static TalkingProcess start(List<Path> path, List<String> options, String... role)
+      throws IOException {
+    List<String> command = new ArrayList<>(TalkingProcess.java(classPath(path), options));
+    command.add(Role.class.getName());
+    command.addAll(List.of(role));
+    return new TalkingProcess(command);
   }
 
   /** A class path of this one and what else. */

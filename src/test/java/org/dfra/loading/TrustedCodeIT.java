@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterAll;
@@ -45,7 +44,7 @@ class TrustedCodeIT {
           multicastInterfaces = new java.net.NetworkInterface[] {};
         }
         """);
-    registrar = role(List.of(), List.of(), "registrar", configuration.toString());
+    registrar = Role.start(List.of(), List.of(), "registrar", configuration.toString());
     port = registrar.awaitLine();
   }
 
@@ -103,7 +102,8 @@ class TrustedCodeIT {
   @Test
   void aHostileRegistrarLoadsNothing() throws Exception {
     Path jar = KindJar.registrar(folder);
-    try (TalkingProcess hostile = role(List.of(jar), List.of(), "hostile", folder.toString());
+    try (TalkingProcess hostile =
+            Role.start(List.of(jar), List.of(), "hostile", folder.toString());
         TalkingProcess client = client()) {
       assertThat(client.ask(hostile.awaitLine()))
           .startsWith("refused: ")
@@ -125,7 +125,7 @@ class TrustedCodeIT {
   }
 
   private TalkingProcess server(Path jar, String classPort, String lie) throws IOException {
-    return role(
+    return Role.start(
         List.of(jar), List.of(), "server", port, classPort, jar.getParent().toString(), lie);
   }
 
@@ -134,18 +134,9 @@ class TrustedCodeIT {
     Files.writeString(
         trust, "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n");
     TalkingProcess client =
-        role(List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
+        Role.start(List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
     client.awaitLine();
     return client;
-  }
-
-  /** A process in a {@link Role}, with something on its class path besides the test's own. */
-  private static TalkingProcess role(List<Path> path, List<String> options, String... role)
-      throws IOException {
-    List<String> command = new ArrayList<>(TalkingProcess.java(Role.classPath(path), options));
-    command.add(Role.class.getName());
-    command.addAll(List.of(role));
-    return new TalkingProcess(command);
   }
 
   private Path marker() {

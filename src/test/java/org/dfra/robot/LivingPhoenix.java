@@ -13,7 +13,7 @@ import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 
 /** A phoenix for tests: its process and those of its groups are ended by number, come what may. */
-final class LivingPhoenix implements AutoCloseable {
+public final class LivingPhoenix implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
@@ -29,17 +29,21 @@ final class LivingPhoenix implements AutoCloseable {
     Runtime.getRuntime().addShutdownHook(lastResort);
   }
 
-  static LivingPhoenix start(Path state) throws IOException {
-    PhoenixProcess phoenix = new PhoenixProcess("127.0.0.1", freePort(), -1, state);
+  public static LivingPhoenix start(Path state) throws IOException {
+    return start("127.0.0.1", state);
+  }
+
+  static LivingPhoenix start(String host, Path state) throws IOException {
+    PhoenixProcess phoenix = new PhoenixProcess(host, freePort(), -1, state);
     return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }
 
-  PhoenixProcess process() {
+  public PhoenixProcess process() {
     return phoenix;
   }
 
   /** What phoenix says of the group {@code robot.group}. */
-  GroupStatus group(String name) throws IOException {
+  public GroupStatus group(String name) throws IOException {
     note();
     return phoenix.admin().groupStatus().stream()
         .filter(group -> group.name().endsWith(name))
@@ -48,14 +52,14 @@ final class LivingPhoenix implements AutoCloseable {
   }
 
   /** Kills a group's process with -9 and waits until it is gone. */
-  void kill(String group) throws IOException {
+  public void kill(String group) throws IOException {
     ProcessHandle victim = ProcessHandle.of(group(group).pid()).orElseThrow();
     victim.destroyForcibly();
     await().atMost(PATIENCE).until(() -> !victim.isAlive());
   }
 
   /** Remembers every process that belongs to it now. */
-  void note() {
+  public void note() {
     process.descendants().forEach(seen::add);
   }
 
@@ -77,7 +81,7 @@ final class LivingPhoenix implements AutoCloseable {
   }
 
   /** A TCP port of the loopback that nobody listens on now. */
-  static int freePort() throws IOException {
+  public static int freePort() throws IOException {
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
       return socket.getLocalPort();
     }

@@ -59,7 +59,7 @@ public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
           ref.invoke(this, NEW_INSTANCE, new Object[] {id, desc}, NEW_INSTANCE_HASH);
     } catch (RuntimeException | RemoteException | ActivationException e) {
       throw e;
-    } catch (Exception e) {
+    } catch (Exception e) { // as RemoteRef declares it
       throw new UnexpectedException("The group answered with an exception it may not throw", e);
     }
   }

@@ -124,6 +124,7 @@ final class JrmpReference {
                 form.writeTo((ObjectOutput) args[0]);
                 yield null;
               }
+              // Serialization calls nothing else.
               default -> throw new UnsupportedOperationException(method.toString());
             };
     RemoteRef replay =

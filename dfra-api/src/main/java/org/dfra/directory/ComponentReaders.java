@@ -50,7 +50,9 @@ final class ComponentReaders {
                   handle.type().wrap())
               .getTarget()
               .invoke();
-    } catch (Throwable e) {
+    } catch (Error e) {
+      throw e;
+    } catch (Throwable e) { // as MethodHandle.invoke declares it
       throw new IllegalArgumentException(
           type.getName() + " cannot be read; make the record public and its package open", e);
     }

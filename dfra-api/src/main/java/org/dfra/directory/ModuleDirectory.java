@@ -45,10 +45,11 @@ public interface ModuleDirectory extends AutoCloseable {
 
   /**
    * A module that stands for all that match: each call goes to the one that answered last or else
-   * the best. Where that fails as remote calls do, an {@link org.dfra.module.Idempotent} call is
-   * made once more, on another module if there is one. Any other call is never repeated: the error
-   * says whether it may have run ({@link CallFailedException}). Where nothing matches at the time
-   * of a call, it throws {@link NoModuleFoundException}.
+   * the best. Where that fails as remote calls do, or the module is not ready, an {@link
+   * org.dfra.module.Idempotent} call is made once more, on another module if there is one. Any
+   * other call is never repeated: the error says whether it may have run ({@link
+   * CallFailedException}). Where nothing matches at the time of a call, it throws {@link
+   * NoModuleFoundException}.
    */
   <M extends Module> M proxyFor(ModuleQuery<M> query);
 

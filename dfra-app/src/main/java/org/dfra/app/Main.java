@@ -2,7 +2,9 @@ package org.dfra.app;
 
 import java.io.IOException;
 import org.dfra.app.bench.BenchCommand;
+import org.dfra.app.completion.CompletionCommand;
 import org.dfra.app.demo.DemoCommand;
+import org.dfra.app.doctor.DoctorCommand;
 import org.dfra.app.event.EventCommand;
 import org.dfra.app.lease.LeaseCommand;
 import org.dfra.app.log.LogCommand;
@@ -11,6 +13,7 @@ import org.dfra.app.persona.PersonaCommand;
 import org.dfra.app.robot.DownCommand;
 import org.dfra.app.robot.StatusCommand;
 import org.dfra.app.robot.UpCommand;
+import org.dfra.app.terminal.Called;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -31,6 +34,7 @@ import picocli.CommandLine.ScopeType;
       UpCommand.class,
       DownCommand.class,
       StatusCommand.class,
+      DoctorCommand.class,
       ModuleCommand.class,
       PersonaCommand.class,
       EventCommand.class,
@@ -38,18 +42,13 @@ import picocli.CommandLine.ScopeType;
       LogCommand.class,
       DemoCommand.class,
       BenchCommand.class,
+      CompletionCommand.class,
       CommandLine.HelpCommand.class
     })
 public final class Main {
 
   /** Environment variable or system property with the level of the log. */
   private static final String LOG_LEVEL = "DFRA_LOG";
-
-  private static final String[] OF_SCRIPT = {
-    "",
-    "Also, by the script itself:",
-    "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
-  };
 
   private Main() {}
 
@@ -67,13 +66,18 @@ public final class Main {
       System.err.println("dfra: " + e.getMessage());
       System.exit(1);
     }
-    System.exit(commandLine().execute(args));
+    CommandLine line = commandLine();
+    line.setOut(Called.renaming(line.getOut()));
+    line.setErr(Called.renaming(line.getErr()));
+    System.exit(line.execute(args));
   }
 
   /** The command line, for those who ask it about itself. */
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
-    line.getCommandSpec().usageMessage().footer(OF_SCRIPT); // not for the verbs, which inherit
+    line.getCommandSpec()
+        .usageMessage()
+        .footer(ScriptVerbs.help()); // not for the verbs, which inherit
     line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());

@@ -45,7 +45,7 @@ final class WrongUse implements IParameterExceptionHandler {
   }
 
   private static List<String> verbs(CommandLine line) {
-    Stream<String> ofScript = line.getParent() == null ? Stream.of("test") : Stream.of();
+    Stream<String> ofScript = line.getParent() == null ? ScriptVerbs.names().stream() : Stream.of();
     return Stream.concat(line.getSubcommands().keySet().stream(), ofScript).sorted().toList();
   }
 }

@@ -1,14 +1,15 @@
 package org.dfra.app.bench;
 
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import org.dfra.app.figure.RecordOption;
+import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -37,11 +38,9 @@ public final class BenchCommand implements Callable<Integer> {
   @Parameters(paramLabel = "NAME", description = "Which one.")
   private String name = "";
 
-  @Option(
-      names = "--record",
-      paramLabel = "FILE",
-      description = "Append the measured figures to this CSV file.")
-  private @Nullable Path record;
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private RecordOption record;
 
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -57,9 +56,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
     Report report = new Report(spec.commandLine().getOut());
     bench.get().run(report);
-    if (record != null) {
-      report.append(record, name);
-    }
-    return report.isMet() ? 0 : 1;
+    record.keep(report.figures(), "bench", name);
+    return report.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
   }
 }

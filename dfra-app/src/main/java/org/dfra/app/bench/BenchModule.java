@@ -1,6 +1,7 @@
 package org.dfra.app.bench;
 
 import java.io.Serializable;
+import java.rmi.NoSuchObjectException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -20,7 +21,7 @@ import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/** A module that is only listed. */
+/** The proxy of a module that is only listed: nothing serves it. */
 record BenchModule(UUID id, String robot, String name) implements Module, Serializable {
 
   private static final int PER_ROBOT = 20;
@@ -66,13 +67,14 @@ record BenchModule(UUID id, String robot, String name) implements Module, Serial
   }
 
   @Override
-  public Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) {
-    throw onlyListed();
+  public Subscription subscribe(ModuleListener listener, DeliveryPolicy policy)
+      throws NoSuchObjectException {
+    throw noServer();
   }
 
   @Override
-  public ModuleLease use(Duration duration) {
-    throw onlyListed();
+  public ModuleLease use(Duration duration) throws NoSuchObjectException {
+    throw noServer();
   }
 
   @Override
@@ -86,8 +88,8 @@ record BenchModule(UUID id, String robot, String name) implements Module, Serial
   }
 
   @Override
-  public void setLogLevel(LogLevel level) {
-    throw onlyListed();
+  public void setLogLevel(LogLevel level) throws NoSuchObjectException {
+    throw noServer();
   }
 
   @Override
@@ -96,11 +98,11 @@ record BenchModule(UUID id, String robot, String name) implements Module, Serial
   }
 
   @Override
-  public void setParameter(String parameter, String text) {
-    throw onlyListed();
+  public void setParameter(String parameter, String text) throws NoSuchObjectException {
+    throw noServer();
   }
 
-  private static UnsupportedOperationException onlyListed() {
-    return new UnsupportedOperationException("a benchmark's module is listed, but never works");
+  private NoSuchObjectException noServer() {
+    return new NoSuchObjectException(robot + "/" + name + " has no server: it is of a benchmark");
   }
 }

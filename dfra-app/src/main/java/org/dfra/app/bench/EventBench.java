@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.DoubleStream;
 import org.dfra.app.log.LogbackLevels;
-import org.dfra.core.event.ListenerQueue;
+import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.module.LogLevel;
 import org.dfra.river.server.GPSServer;
 

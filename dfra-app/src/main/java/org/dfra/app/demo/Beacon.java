@@ -28,7 +28,7 @@ public interface Beacon extends Remote {
     /** Called by the activation system. */
     public Server(ActivationID id, MarshalledObject<?> none) throws RemoteException {
       proxy =
-          new ResurrectingExporter(id, Exporters.jeri(Stage.HOST, DEADLINE_MILLIS)).export(this);
+          new ResurrectingExporter(id, Exporters.jeri(Stage.ADDRESS, DEADLINE_MILLIS)).export(this);
     }
 
     @Override

@@ -1,15 +1,16 @@
 package org.dfra.app.demo;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
+import org.dfra.app.figure.RecordOption;
+import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -20,7 +21,10 @@ import picocli.CommandLine.Spec;
     description = "Runs a demonstration with real processes on this machine.",
     footer = {
       "",
+      "Ends with 1 where a step fails, or a measured figure is not as wanted.",
+      "",
       "Demonstrations, the newest first:",
+      "  persona      two robots: modules found by what they can do, kept through failures",
       "  foundation   a GPS receiver found by what it can do, and back after kill -9"
     })
 public final class DemoCommand implements Callable<Integer> {
@@ -29,6 +33,7 @@ public final class DemoCommand implements Callable<Integer> {
   private static final Map<String, Function<Narration, Demo>> DEMOS = new LinkedHashMap<>();
 
   static {
+    DEMOS.put("persona", PersonaDemo::new);
     DEMOS.put("foundation", FoundationDemo::new);
   }
 
@@ -38,11 +43,9 @@ public final class DemoCommand implements Callable<Integer> {
       description = "Which one; without it, the newest.")
   private @Nullable String name;
 
-  @Option(
-      names = "--record",
-      paramLabel = "FILE",
-      description = "Append the measured figures to this CSV file.")
-  private @Nullable Path record;
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private RecordOption record;
 
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -62,10 +65,10 @@ public final class DemoCommand implements Callable<Integer> {
               + String.join(", ", DEMOS.keySet()));
     }
     Narration narration = new Narration(out, System::nanoTime);
-    boolean well = demo.apply(narration).run();
-    if (well && record != null) {
-      narration.record(record, chosen);
+    if (!demo.apply(narration).run()) {
+      return ExitCode.FAILED;
     }
-    return well ? 0 : 1;
+    record.keep(narration.figures(), "demo", chosen);
+    return narration.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
   }
 }

@@ -34,9 +34,9 @@ final class FoundationDemo implements Demo {
 
   private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final int MANY = 1000;
+  private static final GeoPosition ANTENNA = new GeoPosition(27.9506, -82.4572, 14.5);
 
   private final Narration tell;
-  private String step = "";
 
   FoundationDemo(Narration narration) {
     this.tell = narration;
@@ -44,81 +44,52 @@ final class FoundationDemo implements Demo {
 
   @Override
   public boolean run() {
-    try (Stage stage = new Stage()) {
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(stage), "demo-end"));
-      try {
-        play(stage);
-        tell.table();
-        return true;
-      } catch (Exception e) {
-        stage.keepFolder();
-        tell.chapter("FAILED while " + step);
-        tell.say("%s", e.toString());
-        tell.say("The logs are in %s.", stage.folder());
-        return false;
-      }
-    } catch (IOException e) {
-      tell.say("The stage could not be cleared: %s", e);
-      return false;
-    }
-  }
-
-  private static void closeQuietly(Stage stage) {
-    try {
-      stage.close();
-    } catch (IOException e) {
-      System.err.println("dfra: " + e.getMessage());
-    }
+    return Performance.of(tell, this::play);
   }
 
   private void play(Stage stage) throws Exception {
-    step("switching on the receiver", "A robot comes up");
-    String link = stage.startReceiver();
+    tell.chapter("switching on the receiver", "A robot comes up");
+    String link = stage.startReceivers(List.of(ANTENNA)).get(0);
     tell.say("An M12+ receiver is switched on at %s: an emulator, but of its real bytes.", link);
 
     Narration.Stopwatch coldStart = tell.stopwatch();
-    String locator = bringUp(stage, link);
+    Host host = stage.host("atrv1");
+    String locator = bringUp(host, link);
 
-    step("finding the receiver", "A client finds a receiver");
+    tell.chapter("finding the receiver", "A client finds a receiver");
     Narration.Stopwatch search = tell.stopwatch();
     try (PositionClient client = PositionClient.find(locator, PATIENCE)) {
       tell.say(
           "A client that knows only the interface GPSSensor found %s through discovery and lookup"
               + " in %s.",
-          client.gps(), seconds(search.elapsed()));
+          client.gps(), Wording.seconds(search.elapsed()));
       GpsFix fix = client.position(PATIENCE);
       Duration cold = coldStart.elapsed();
       tell.say("It read %s, by remote call.", describe(fix));
       tell.figure("cold start of everything to position read", cold, Duration.ofSeconds(8));
 
-      killTheReceiversGroup(stage, client.gps());
-      silence(stage, client.gps());
-      activateInALivingGroup(stage);
-      killPhoenix(stage, client.gps());
+      killTheReceiversGroup(stage, host, client.gps());
+      silence(stage, host, client.gps());
+      activateInALivingGroup(host);
+      killPhoenix(stage, host, client.gps());
       callLocally(stage, client);
     }
-    end(stage);
   }
 
-  private void step(String doing, String chapter) {
-    step = doing;
-    tell.chapter(chapter);
-  }
-
-  private String bringUp(Stage stage, String link) throws Exception {
-    step = "starting phoenix";
+  private String bringUp(Host host, String link) throws Exception {
+    tell.step("starting phoenix");
     Narration.Stopwatch watch = tell.stopwatch();
-    ProcessHandle phoenix = stage.startPhoenix();
+    ProcessHandle phoenix = host.startPhoenix();
     tell.say(
         "Phoenix, the activation daemon, is process %d after %s.",
-        phoenix.pid(), seconds(watch.elapsed()));
+        phoenix.pid(), Wording.seconds(watch.elapsed()));
 
-    step = "bringing up the robot";
+    tell.step("bringing up the robot");
     int port = Stage.freePort();
     Map<String, String> settings =
         Map.of(
             "DFRA_HOST",
-            Stage.HOST,
+            Stage.ADDRESS,
             "DFRA_ATRV1_REGISTRAR_PORT",
             Integer.toString(port),
             "DFRA_ATRV1_GPS_FRONT_LINK",
@@ -126,32 +97,32 @@ final class FoundationDemo implements Demo {
     Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
     RobotDescription robot = RobotXml.read(xml, settings::get);
     watch = tell.stopwatch();
-    List<RobotBootstrap.Service> services = new RobotBootstrap(stage.phoenix(), robot).up();
+    List<RobotBootstrap.Service> services = new RobotBootstrap(host.phoenix(), robot).up();
     tell.say(
         "Robot %s is up after another %s: %s.",
         robot.name(),
-        seconds(watch.elapsed()),
+        Wording.seconds(watch.elapsed()),
         services.stream()
             .map(service -> service.name() + " in group " + service.group())
             .collect(Collectors.joining(", ")));
-    for (GroupStatus group : stage.groups()) {
+    for (GroupStatus group : host.groups()) {
       tell.say("Group %s is process %d.", group.name(), group.pid());
     }
-    return "jini://" + Stage.HOST + ":" + port;
+    return "jini://" + Stage.ADDRESS + ":" + port;
   }
 
-  private void killTheReceiversGroup(Stage stage, GPSSensor gps) throws Exception {
-    step("killing the receiver's group", "kill -9 of the receiver's virtual machine");
-    long old = stage.group("gps").pid();
+  private void killTheReceiversGroup(Stage stage, Host host, GPSSensor gps) throws Exception {
+    tell.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
+    long old = host.group("gps").pid();
     Narration.Stopwatch watch = tell.stopwatch();
     stage.signal("KILL", old);
     GpsFix fix = fixFrom(gps);
     Duration healed = watch.elapsed();
-    long now = stage.group("gps").pid();
-    require(now != old && now > 0, "the group did not come back");
+    long now = host.group("gps").pid();
+    Checks.require(now != old && now > 0, "the group did not come back");
     tell.say(
         "Process %d was killed. The same proxy answered again after %s, from process %d: %s.",
-        old, seconds(healed), now, describe(fix));
+        old, Wording.seconds(healed), now, describe(fix));
     tell.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
   }
 
@@ -161,11 +132,11 @@ final class FoundationDemo implements Demo {
     return gps.fix();
   }
 
-  private void silence(Stage stage, GPSSensor gps) throws Exception {
-    step(
+  private void silence(Stage stage, Host host, GPSSensor gps) throws Exception {
+    tell.chapter(
         "stopping the receiver's group",
         "kill -STOP: a peer that is silent, as out of radio range");
-    long pid = stage.group("gps").pid();
+    long pid = host.group("gps").pid();
     stage.signal("STOP", pid);
     Narration.Stopwatch sinceSignal = tell.stopwatch();
     try {
@@ -176,31 +147,36 @@ final class FoundationDemo implements Demo {
         } catch (DeadlineExceededException e) {
           tell.say(
               "Process %d was stopped. The call ended after %s: %s.",
-              pid, seconds(watch.elapsed()), String.valueOf(e.getMessage()));
+              pid, Wording.seconds(watch.elapsed()), String.valueOf(e.getMessage()));
           tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
           break;
         }
-        require(sinceSignal.elapsed().compareTo(PATIENCE) < 0, "a stopped process answers on");
+        Checks.require(
+            sinceSignal.elapsed().compareTo(PATIENCE) < 0, "a stopped process answers on");
       }
     } finally {
       stage.signal("CONT", pid);
     }
     Narration.Stopwatch watch = tell.stopwatch();
     gps.fix();
-    tell.say("It was let go on, and the same proxy answered after %s.", seconds(watch.elapsed()));
+    tell.say(
+        "It was let go on, and the same proxy answered after %s.",
+        Wording.seconds(watch.elapsed()));
   }
 
-  private void activateInALivingGroup(Stage stage) throws Exception {
-    step("activating an object in a living group", "Activation itself");
-    ActivationSystem system = stage.phoenix().system();
-    ActivationGroupID group = gpsGroup(stage);
+  private void activateInALivingGroup(Host host) throws Exception {
+    tell.chapter("activating an object in a living group", "Activation itself");
+    ActivationSystem system = host.phoenix().system();
+    ActivationGroupID group = gpsGroup(host);
     beacon(system, group).pid(); // loads the beacon's classes
     ActivationID id = register(system, group);
     Narration.Stopwatch watch = tell.stopwatch();
     long pid = ((Beacon) id.activate(false)).pid();
     Duration took = watch.elapsed();
-    require(pid == stage.group("gps").pid(), "the object was made in another process");
-    tell.say("An object that needs no device was made in the living group in %s.", seconds(took));
+    Checks.require(pid == host.group("gps").pid(), "the object was made in another process");
+    tell.say(
+        "An object that needs no device was made in the living group in %s.",
+        Wording.seconds(took));
     tell.figure("activation of an object in a live group", took, Duration.ofMillis(100));
   }
 
@@ -215,10 +191,10 @@ final class FoundationDemo implements Demo {
         new ActivationDesc(group, Beacon.Server.class.getName(), null, (MarshalledObject<?>) null));
   }
 
-  private static ActivationGroupID gpsGroup(Stage stage) throws IOException {
+  private static ActivationGroupID gpsGroup(Host host) throws IOException {
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationGroupID, ActivationGroupDesc> groups =
-        stage.phoenix().admin().getActivationGroups();
+        host.phoenix().admin().getActivationGroups();
     return groups.entrySet().stream()
         .filter(
             each -> String.valueOf(each.getValue().getPropertyOverrides()).contains("atrv1.gps"))
@@ -227,39 +203,41 @@ final class FoundationDemo implements Demo {
         .orElseThrow(() -> new IOException("the GPS group is not registered"));
   }
 
-  private void killPhoenix(Stage stage, GPSSensor gps) throws Exception {
-    step("registering many objects", "kill -9 of phoenix");
-    ActivationSystem system = stage.phoenix().system();
-    ActivationGroupID group = gpsGroup(stage);
+  private void killPhoenix(Stage stage, Host host, GPSSensor gps) throws Exception {
+    tell.chapter("registering many objects", "kill -9 of phoenix");
+    ActivationSystem system = host.phoenix().system();
+    ActivationGroupID group = gpsGroup(host);
     Narration.Stopwatch watch = tell.stopwatch();
     for (int i = 0; i < MANY; i++) {
       register(system, group);
     }
     tell.say(
         "%d more objects were registered in %s, each one on disk before phoenix acknowledged it.",
-        MANY, seconds(watch.elapsed()));
+        MANY, Wording.seconds(watch.elapsed()));
 
-    step = "killing phoenix";
-    List<GroupStatus> before = stage.groups();
-    stage.killPhoenix();
+    tell.step("killing phoenix");
+    List<GroupStatus> before = host.groups();
+    host.killPhoenix();
     watch = tell.stopwatch();
     gps.fix();
     tell.say(
         "Phoenix was killed. The receiver answered on, after %s: no call needs phoenix as long as"
             + " its server lives.",
-        seconds(watch.elapsed()));
+        Wording.seconds(watch.elapsed()));
 
-    step = "restarting phoenix";
+    tell.step("restarting phoenix");
     watch = tell.stopwatch();
-    ProcessHandle restarted = stage.startPhoenix();
+    ProcessHandle restarted = host.startPhoenix();
     Duration ready = watch.elapsed();
-    List<GroupStatus> after = stage.groups();
-    tell.say("A new phoenix, process %d, answered after %s.", restarted.pid(), seconds(ready));
+    List<GroupStatus> after = host.groups();
+    tell.say(
+        "A new phoenix, process %d, answered after %s.", restarted.pid(), Wording.seconds(ready));
     tell.figure("phoenix restart to ready, " + MANY + " objects", ready, Duration.ofSeconds(2));
-    require(count(before) == count(after), count(before) + " registrations became " + count(after));
+    Checks.require(
+        count(before) == count(after), count(before) + " registrations became " + count(after));
     for (int i = 0; i < before.size(); i++) {
-      require(before.get(i).pid() == after.get(i).pid(), "a living group was started again");
-      require(after.get(i).adopted(), "a living group was not taken back");
+      Checks.require(before.get(i).pid() == after.get(i).pid(), "a living group was started again");
+      Checks.require(after.get(i).adopted(), "a living group was not taken back");
     }
     tell.say(
         "All %d registrations are there, and the living groups were taken back, not doubled: %s.",
@@ -268,14 +246,14 @@ final class FoundationDemo implements Demo {
             .map(each -> each.name() + " still is process " + each.pid())
             .collect(Collectors.joining(", ")));
 
-    step = "killing the receiver's group under the new phoenix";
-    long old = stage.group("gps").pid();
+    tell.step("killing the receiver's group under the new phoenix");
+    long old = host.group("gps").pid();
     watch = tell.stopwatch();
     stage.signal("KILL", old);
     fixFrom(gps);
     tell.say(
         "The adopted group was killed too: the same proxy answered after %s, from process %d.",
-        seconds(watch.elapsed()), stage.group("gps").pid());
+        Wording.seconds(watch.elapsed()), host.group("gps").pid());
   }
 
   private static int count(List<GroupStatus> groups) {
@@ -283,8 +261,10 @@ final class FoundationDemo implements Demo {
   }
 
   private void callLocally(Stage stage, PositionClient client) throws Exception {
-    step("calling in the same virtual machine", "The proxy in the module's own virtual machine");
-    SameVmCall.Result result = SameVmCall.measure(client.gps(), stage.startReceiver());
+    tell.chapter(
+        "calling in the same virtual machine", "The proxy in the module's own virtual machine");
+    SameVmCall.Result result =
+        SameVmCall.measure(client.gps(), stage.startReceivers(List.of(ANTENNA)).get(0));
     tell.say(
         "There a proxy hands the call straight to the implementation: %.1f ns instead of %.1f ns;"
             + " by network it is %.0f µs.",
@@ -296,36 +276,12 @@ final class FoundationDemo implements Demo {
         "ns");
   }
 
-  private void end(Stage stage) throws Exception {
-    step("shutting down", "The end");
-    stage.shutDown();
-    require(stage.left().isEmpty(), "processes " + stage.left() + " still run");
-    tell.say(
-        "All is shut down: none of the %d processes of this demonstration is left.", stage.seen());
-  }
-
-  private static void require(boolean condition, String otherwise) throws IOException {
-    if (!condition) {
-      throw new IOException(otherwise);
-    }
-  }
-
-  private static String seconds(Duration duration) {
-    double seconds = duration.toNanos() / 1e9;
-    return seconds < 0.1
-        ? String.format(Locale.ROOT, "%.1f ms", seconds * 1000)
-        : String.format(Locale.ROOT, "%.2f s", seconds);
-  }
-
   private static String describe(GpsFix fix) {
     GeoPosition at = Objects.requireNonNull(fix.position());
     return String.format(
         Locale.ROOT,
-        "%.6f° %s, %.6f° %s, %.1f m (%s, %d satellites, %s)",
-        Math.abs(at.latitude()),
-        at.latitude() < 0 ? "S" : "N",
-        Math.abs(at.longitude()),
-        at.longitude() < 0 ? "W" : "E",
+        "%s, %.1f m (%s, %d satellites, %s)",
+        Wording.place(at),
         at.height(),
         fix.mode(),
         fix.satellitesTracked(),

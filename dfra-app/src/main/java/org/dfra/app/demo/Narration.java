@@ -1,42 +1,33 @@
 package org.dfra.app.demo;
 
-import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Duration;
-import java.time.Instant;
-import java.time.temporal.ChronoUnit;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.regex.Pattern;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
 
 /** What a demonstration says, each sentence with the time since it began, and what it measured. */
 final class Narration {
 
   private static final int WIDTH = 96;
+
+  /** Where a line may end: not between a number and its unit. */
+  private static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m)\\b)");
+
   private static final String INDENT = " ".repeat(11);
+
+  /** Tables are wider than sentences, so they begin further left. */
+  private static final String MARGIN = " ".repeat(4);
 
   private final PrintWriter out;
   private final LongSupplier nanos;
   private final long began;
-  private final List<Figure> figures = new ArrayList<>();
-
-  /**
-   * One measured figure.
-   *
-   * @param what what was measured
-   * @param measured the value
-   * @param limit the most it should be
-   * @param unit the unit of both
-   */
-  record Figure(String what, double measured, double limit, String unit) {
-    boolean isMet() {
-      return measured <= limit;
-    }
-  }
+  private final Figures figures = new Figures();
+  private String step = "setting the stage";
+  private boolean spaced; // the last line was empty
 
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
@@ -47,10 +38,27 @@ final class Narration {
     this.began = nanos.getAsLong();
   }
 
+  /** Begins a step with a heading of its own. */
+  void chapter(String doing, String title) {
+    step(doing);
+    heading(title);
+  }
+
+  /** Begins a step within a chapter, so that it can be named should it fail. */
+  void step(String doing) {
+    step = doing;
+  }
+
+  /** What is being done, such as "killing phoenix". */
+  String step() {
+    return step;
+  }
+
   /** A heading. */
-  void chapter(String title) {
-    out.println();
+  void heading(String title) {
+    blank();
     out.println(title);
+    spaced = false;
     out.flush();
   }
 
@@ -59,7 +67,7 @@ final class Narration {
     String text = String.format(Locale.ROOT, format, arguments);
     StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
     int column = line.length();
-    for (String word : text.split(" ", -1)) {
+    for (String word : BREAK.split(text)) {
       if (column + word.length() + 1 > WIDTH && column > INDENT.length()) {
         line.append(System.lineSeparator()).append(INDENT);
         column = INDENT.length();
@@ -71,7 +79,24 @@ final class Narration {
       column += word.length();
     }
     out.println(line);
+    spaced = false;
     out.flush();
+  }
+
+  /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */
+  void show(List<String> lines) {
+    lines.forEach(line -> out.println((MARGIN + line).stripTrailing()));
+    spaced = false;
+    blank();
+    out.flush();
+  }
+
+  /** An empty line, unless the last one was. */
+  void blank() {
+    if (!spaced) {
+      out.println();
+      spaced = true;
+    }
   }
 
   /** Starts a stopwatch. */
@@ -95,51 +120,16 @@ final class Narration {
     figure(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s");
   }
 
+  /** What was measured until now. */
+  Figures figures() {
+    return figures;
+  }
+
   /** Prints the table of figures. */
   void table() {
-    chapter("Measured");
-    for (Figure figure : figures) {
-      out.printf(
-          Locale.ROOT,
-          "  %-58s %9s %-2s   wanted ≤ %s %s%s%n",
-          figure.what(),
-          number(figure.measured()),
-          figure.unit(),
-          number(figure.limit()),
-          figure.unit(),
-          figure.isMet() ? "" : "   MISSED");
-    }
+    heading("Measured");
+    figures.all().forEach(each -> out.println(each.line()));
     out.flush();
-  }
-
-  /** Appends the figures to a CSV file, which is begun with a header where it does not exist. */
-  void record(Path file, String demo) throws IOException {
-    StringBuilder rows = new StringBuilder();
-    if (!Files.exists(file)) {
-      rows.append("when,demo,java,cores,figure,measured,wanted_at_most,unit\n");
-    }
-    Instant now = Instant.now().truncatedTo(ChronoUnit.SECONDS);
-    for (Figure figure : figures) {
-      rows.append(
-          String.format(
-              Locale.ROOT,
-              "%s,%s,%s,%d,\"%s\",%s,%s,%s%n",
-              now,
-              demo,
-              Runtime.version().feature(),
-              Runtime.getRuntime().availableProcessors(),
-              figure.what(),
-              number(figure.measured()),
-              number(figure.limit()),
-              figure.unit()));
-    }
-    Files.writeString(file, rows, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-  }
-
-  private static String number(double value) {
-    return value >= 100
-        ? String.format(Locale.ROOT, "%.0f", value)
-        : String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.3f", value);
   }
 
   private long elapsed() {

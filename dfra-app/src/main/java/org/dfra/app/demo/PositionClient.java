@@ -27,7 +27,7 @@ final class PositionClient implements AutoCloseable {
   /** Finds a GPS receiver through discovery and lookup. */
   static PositionClient find(String locator, Duration patience)
       throws IOException, InterruptedException {
-    ModuleDirectory directory = new JiniModuleDirectory(Stage.HOST, List.of(), List.of(locator));
+    ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), List.of(locator));
     GPSSensor gps =
         directory
             .find(GPSSensor.class, patience)

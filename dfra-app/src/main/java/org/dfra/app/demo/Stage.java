@@ -1,6 +1,5 @@
 package org.dfra.app.demo;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -11,40 +10,36 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
+import org.dfra.geometry.GeoPosition;
 import org.dfra.river.bootstrap.JvmCommand;
-import org.dfra.river.bootstrap.PhoenixProcess;
-import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.sim.device.ReceiverEmulatorMain;
-import org.jspecify.annotations.Nullable;
 
 /**
- * What a demonstration stands on: a temporary folder, an emulated receiver, phoenix, and the
- * certainty that all of it is gone afterwards.
+ * What a demonstration stands on: a temporary folder, emulated receivers, hosts, and the certainty
+ * that all of it is gone afterwards.
  */
 final class Stage implements AutoCloseable {
 
-  static final String HOST = "127.0.0.1";
+  /** The address of everything here. */
+  static final String ADDRESS = "127.0.0.1";
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final String READY = "listening on ";
 
   private final Path folder;
-  private final PhoenixProcess phoenix;
-  private final List<ProcessHandle> started = new ArrayList<>();
-  private final List<ProcessHandle> receivers = new ArrayList<>();
-  private @Nullable ProcessHandle lastPhoenix;
-  private boolean keepFolder;
+  private final List<Host> hosts = new CopyOnWriteArrayList<>();
+  private final List<ProcessHandle> started = new CopyOnWriteArrayList<>();
+  private final List<Process> receivers = new CopyOnWriteArrayList<>();
+  private volatile boolean keepFolder;
   private boolean closed; // guarded by this
 
   Stage() throws IOException {
     folder = Files.createTempDirectory("dfra-demo-");
-    phoenix = new PhoenixProcess(HOST, freePort(), -1, folder.resolve("phoenix"));
-  }
-
-  PhoenixProcess phoenix() {
-    return phoenix;
   }
 
   /** The folder with every log. */
@@ -57,64 +52,59 @@ final class Stage implements AutoCloseable {
     keepFolder = true;
   }
 
-  /** Starts an emulated M12+ in a process of its own; returns its link. */
-  String startReceiver() throws IOException {
+  /**
+   * A further computer, on which nothing runs yet.
+   *
+   * @param name of its folder
+   */
+  Host host(String name) throws IOException {
+    Host host = new Host(this, folder.resolve(name));
+    hosts.add(host);
+    return host;
+  }
+
+  /** Has a process ended with the stage. */
+  synchronized void remember(ProcessHandle process) {
+    if (!started.contains(process)) {
+      started.add(process);
+    }
+  }
+
+  /**
+   * Starts emulated M12+ receivers, each in a process of its own.
+   *
+   * @return their links, in the same order
+   */
+  List<String> startReceivers(List<GeoPosition> positions) throws IOException {
+    List<Process> begun = new ArrayList<>();
+    for (GeoPosition position : positions) { // all at once: a JVM takes its time
+      begun.add(startReceiver(position));
+    }
+    List<String> links = new ArrayList<>();
+    for (Process each : begun) {
+      String line = each.inputReader(StandardCharsets.UTF_8).readLine();
+      if (line == null || !line.startsWith(READY)) {
+        throw new IOException("an emulated receiver did not start; see its log in " + folder);
+      }
+      links.add(line.substring(READY.length()));
+    }
+    return links;
+  }
+
+  private Process startReceiver(GeoPosition position) throws IOException {
     Path receiverLog = folder.resolve("receiver-" + (receivers.size() + 1) + ".log");
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
     command.addAll(
         List.of(
             ReceiverEmulatorMain.class.getName(),
-            "--latitude=27.9506",
-            "--longitude=-82.4572",
-            "--height=14.5"));
+            "--latitude=" + position.latitude(),
+            "--longitude=" + position.longitude(),
+            "--height=" + position.height()));
     Process process = new ProcessBuilder(command).redirectError(receiverLog.toFile()).start();
-    started.add(process.toHandle());
-    receivers.add(process.toHandle());
-    BufferedReader reader = process.inputReader(StandardCharsets.UTF_8);
-    String line = reader.readLine();
-    String ready = "listening on ";
-    if (line == null || !line.startsWith(ready)) {
-      throw new IOException("the emulated receiver did not start; see " + receiverLog);
-    }
-    return line.substring(ready.length());
-  }
-
-  /** Starts phoenix in a process of its own and waits until it answers. */
-  ProcessHandle startPhoenix() throws IOException {
-    ProcessHandle process = phoenix.start(PATIENCE).toHandle();
-    started.add(process);
-    lastPhoenix = process;
+    remember(process.toHandle());
+    receivers.add(process);
     return process;
-  }
-
-  private ProcessHandle lastPhoenix() {
-    return Objects.requireNonNull(lastPhoenix, "phoenix was not started");
-  }
-
-  /** The status of the group whose name ends so. */
-  GroupStatus group(String ending) throws IOException {
-    return groups().stream()
-        .filter(group -> group.name().endsWith(ending))
-        .findFirst()
-        .orElseThrow(() -> new IOException("phoenix knows no group " + ending));
-  }
-
-  /** Every group's status; their processes are remembered for the end. */
-  List<GroupStatus> groups() throws IOException {
-    List<GroupStatus> groups = phoenix.admin().groupStatus();
-    groups.stream()
-        .filter(group -> group.pid() > 0)
-        .flatMap(group -> ProcessHandle.of(group.pid()).stream())
-        .filter(process -> !started.contains(process))
-        .forEach(started::add);
-    return groups;
-  }
-
-  /** Kills phoenix with -9 and waits until it is gone. */
-  void killPhoenix() throws IOException, InterruptedException {
-    signal("KILL", lastPhoenix().pid());
-    awaitEnd(lastPhoenix());
   }
 
   /** Sends a signal, as an operator would. */
@@ -124,19 +114,21 @@ final class Stage implements AutoCloseable {
     }
   }
 
-  private static void awaitEnd(ProcessHandle process) throws IOException, InterruptedException {
+  /** Waits until a process is gone. */
+  static void awaitEnd(ProcessHandle process) throws IOException, InterruptedException {
     try {
       process.onExit().get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    } catch (java.util.concurrent.ExecutionException | java.util.concurrent.TimeoutException e) {
+    } catch (ExecutionException | TimeoutException e) {
       throw new IOException("process " + process.pid() + " does not end", e);
     }
   }
 
   /** Takes everything down as an operator would; the receivers are switched off last. */
   void shutDown() throws IOException, InterruptedException {
-    groups();
-    phoenix.shutdown(PATIENCE);
-    receivers.forEach(ProcessHandle::destroy);
+    for (Host host : hosts) {
+      host.shutDown();
+    }
+    receivers.forEach(Process::destroy);
     for (ProcessHandle process : started) {
       awaitEnd(process);
     }
@@ -159,12 +151,7 @@ final class Stage implements AutoCloseable {
       return;
     }
     closed = true;
-    try {
-      groups();
-    } catch (IOException e) {
-      // Phoenix is down already: what it ran is remembered from before.
-      assert !phoenix.answers();
-    }
+    hosts.forEach(Host::rememberGroups);
     started.forEach(ProcessHandle::destroyForcibly);
     if (!keepFolder) {
       try (Stream<Path> paths = Files.walk(folder)) {
@@ -177,7 +164,7 @@ final class Stage implements AutoCloseable {
 
   /** A TCP port that nobody listens on now. */
   static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(HOST))) {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(ADDRESS))) {
       return socket.getLocalPort();
     }
   }

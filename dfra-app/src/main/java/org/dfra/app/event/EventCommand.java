@@ -5,7 +5,7 @@ import picocli.CommandLine.Command;
 /** {@code ./dfra event}: what modules tell. */
 @Command(
     name = "event",
-    description = "Listens to a module: what it tells, how often, and how much of it.",
+    description = "Listens to a module: what it tells, how often and how much.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
     subcommands = {EchoCommand.class, HzCommand.class, BwCommand.class})

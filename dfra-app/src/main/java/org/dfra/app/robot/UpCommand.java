@@ -1,9 +1,11 @@
 package org.dfra.app.robot;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.Answer;
@@ -13,6 +15,7 @@ import org.dfra.core.config.RobotXml;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.loading.RobotClasses;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -69,12 +72,15 @@ public final class UpCommand implements Callable<Integer> {
     } else {
       say("Phoenix answers on port " + phoenix.port() + " of " + phoenix.host() + ".");
     }
+    options.noteProcess(phoenix);
     List<Up> services = new ArrayList<>();
     for (RobotDescription robot : robots) {
-      for (RobotBootstrap.Service service : new RobotBootstrap(phoenix, robot).up()) {
+      RobotBootstrap bootstrap = new RobotBootstrap(phoenix, robot);
+      for (RobotBootstrap.Service service : bootstrap.up()) {
         services.add(new Up(service.name(), service.group()));
         say("Up: " + service.name() + " in group " + service.group() + ".");
       }
+      sayClasses(bootstrap);
     }
     if (answer.isJson()) {
       answer.outline(services);
@@ -82,6 +88,19 @@ public final class UpCommand implements Callable<Integer> {
       say("How they are: ./dfra status");
     }
     return ExitCode.WELL;
+  }
+
+  /** A robot without its class server works, but not for clients that lack its classes. */
+  private void sayClasses(RobotBootstrap bootstrap) throws IOException {
+    Optional<RobotClasses> classes = bootstrap.classes();
+    if (classes.isPresent()) {
+      String place = classes.get().host() + ":" + classes.get().port();
+      Optional<String> fault = classes.get().missing();
+      say(
+          fault.isPresent()
+              ? "Classes: " + fault.get() + "."
+              : "Classes: served at " + place + ".");
+    }
   }
 
   private void say(String sentence) {

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
+import java.util.OptionalLong;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -22,7 +23,12 @@ public final class PhoenixOptions {
   /** How long phoenix may take to start or to end. */
   public static final Duration PATIENCE = Duration.ofSeconds(30);
 
+  private static final String ADDRESS = "phoenix.address";
   private static final int USUAL_PORT = 1198;
+
+  /** Port of phoenix's RMI registry where no other is named. */
+  static final int REGISTRY_PORT = 1098;
+
   private static final int LAST_PORT = 65_535;
 
   @Option(
@@ -36,7 +42,7 @@ public final class PhoenixOptions {
       paramLabel = "PORT",
       description =
           "Port of phoenix's read-only RMI registry, -1 for none (default ${DEFAULT-VALUE}).")
-  private int registryPort = 1098;
+  private int registryPort = REGISTRY_PORT;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -53,12 +59,23 @@ public final class PhoenixOptions {
 
   /** The phoenix that was last started with this state; whether it answers is another question. */
   public PhoenixProcess last() throws IOException {
-    if (!Files.exists(addressFile())) {
-      return at("localhost", USUAL_PORT);
+    PhoenixProcess last = last(state(), registryPort);
+    return at(last.host(), last.port());
+  }
+
+  /** The phoenix that was last started with this state, where no port is named. */
+  static PhoenixProcess last(Path state, int registryPort) throws IOException {
+    Path file = state.resolve(ADDRESS);
+    if (!Files.exists(file)) {
+      return new PhoenixProcess("localhost", USUAL_PORT, registryPort, state);
     }
-    String address = Files.readString(addressFile()).strip();
+    String address = Files.readString(file).strip();
     int colon = address.lastIndexOf(':');
-    return at(address.substring(0, colon), Integer.parseInt(address.substring(colon + 1)));
+    return new PhoenixProcess(
+        address.substring(0, colon),
+        Integer.parseInt(address.substring(colon + 1)),
+        registryPort,
+        state);
   }
 
   /**
@@ -92,6 +109,14 @@ public final class PhoenixOptions {
     return Map.entry(phoenix, process);
   }
 
+  /** Notes the process of a phoenix that answers, for a service manager that watches it. */
+  public void noteProcess(PhoenixProcess phoenix) throws IOException {
+    OptionalLong pid = phoenix.pid();
+    if (pid.isPresent()) {
+      Files.writeString(state().resolve("phoenix.pid"), pid.getAsLong() + "\n");
+    }
+  }
+
   private PhoenixProcess at(String host, int usualPort) {
     int wanted = port == null ? usualPort : port;
     check("--port", wanted, 1);
@@ -108,6 +133,6 @@ public final class PhoenixOptions {
   }
 
   private Path addressFile() {
-    return state().resolve("phoenix.address");
+    return state().resolve(ADDRESS);
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.app.team;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,6 +12,7 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.call.CallbackHost;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
@@ -80,36 +82,80 @@ public final class TeamOptions {
 
   /** Begins to look. */
   public Team open() throws IOException {
-    if (!(wait >= 0 && wait <= 3600)) {
-      throw new ParameterException(
-          spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
-    }
-    String wantedHost = either(host, "DFRA_HOST", HostAddress.AUTO);
-    String here = HostAddress.resolve(wantedHost);
-    if (!wantedHost.equals(HostAddress.AUTO)) {
-      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
-    }
-    List<String> groups = words(either(team, "DFRA_TEAM", TEAM));
-    Set<String> wanted = new LinkedHashSet<>();
-    for (RobotDescription robot : new KnownRobots(state.folder()).all()) {
+    return new Team(directory(), patience(), answer, whatIsAsked(groups(), locators()));
+  }
+
+  /** A directory of the lookup services that are asked. */
+  public JiniModuleDirectory directory() throws IOException {
+    patience(); // refused before anything is begun
+    return new JiniModuleDirectory(here(), groups(), new ArrayList<>(locators()));
+  }
+
+  private Set<String> locators() throws IOException {
+    Set<String> all = new LinkedHashSet<>();
+    for (RobotDescription robot : knownRobots()) {
       robot
           .registrar()
           .filter(registrar -> registrar.port() != 0)
           .ifPresent(
               registrar ->
-                  wanted.add(
-                      "jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
+                  all.add("jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
     }
+    all.addAll(namedLocators());
+    return all;
+  }
+
+  /** The address at which others call this computer back, modules as well as lookup services. */
+  private String here() {
+    String wanted = wantedHost();
+    String here = HostAddress.resolve(wanted);
+    if (!wanted.equals(HostAddress.AUTO)) {
+      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
+    }
+    return here;
+  }
+
+  /** How long answers are awaited. */
+  public Duration patience() {
+    if (!(wait >= 0 && wait <= 3600)) {
+      throw new ParameterException(
+          spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
+    }
+    return Duration.ofNanos((long) (wait * 1e9));
+  }
+
+  /** The discovery groups that are asked by multicast; none if empty. */
+  public List<String> groups() {
+    return words(either(team, "DFRA_TEAM", TEAM));
+  }
+
+  /** The address or name of this computer that is wanted, or {@code auto}. */
+  public String wantedHost() {
+    return either(host, "DFRA_HOST", HostAddress.AUTO);
+  }
+
+  /** The folder of what phoenix keeps on this host. */
+  public Path state() {
+    return state.folder();
+  }
+
+  /** The phoenix of this host that was last started; whether it answers is another question. */
+  public PhoenixProcess phoenix() throws IOException {
+    return PhoenixOptions.last(state(), PhoenixOptions.REGISTRY_PORT);
+  }
+
+  /** The robots that were brought up on this host. */
+  public List<RobotDescription> knownRobots() throws IOException {
+    return new KnownRobots(state()).all();
+  }
+
+  /** The registrars that were named by option or variable, as {@code jini://host:port}. */
+  public List<String> namedLocators() {
     List<String> named =
         locators == null ? words(either(null, "DFRA_LOCATORS", "")) : Arrays.asList(locators);
-    for (String each : named) {
-      wanted.add(each.startsWith("jini://") ? each : "jini://" + each);
-    }
-    return new Team(
-        new JiniModuleDirectory(here, groups, new ArrayList<>(wanted)),
-        Duration.ofNanos((long) (wait * 1e9)),
-        answer,
-        whatIsAsked(groups, wanted));
+    return named.stream()
+        .map(each -> each.startsWith("jini://") ? each : "jini://" + each)
+        .toList();
   }
 
   private static String whatIsAsked(List<String> groups, Set<String> locators) {

@@ -1,6 +1,7 @@
 package org.dfra.core.config;
 
 import java.io.Serializable;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * @param proxyClass full name of the smart proxy's class
  * @param driverClass full name of the driver's class
  * @param configuration absolute path of the module's Jini configuration; null for the usual one
+ * @param download absolute paths of the jars that clients without the module's classes download;
+ *     none if these are DFRA's own or everybody has them
  * @param restart whether it is started again at once after a crash, rather than at the next call
  * @param parameters what the driver is told
  * @param place where the robot's XML holds the module
@@ -25,12 +28,14 @@ public record ModuleDescription(
     String proxyClass,
     String driverClass,
     @Nullable String configuration,
+    List<String> download,
     boolean restart,
     Parameters parameters,
     Place place)
     implements Serializable {
 
   public ModuleDescription {
+    download = List.copyOf(download);
     Rules.require(place, Rules.name("robot", robot));
     Rules.require(place, Rules.name("module", name));
     Rules.require(place, Rules.className("module " + name, "server", serverClass));
@@ -43,6 +48,30 @@ public record ModuleDescription(
               + name
               + " is blank; name a file or leave it out");
     }
+  }
+
+  /** A module whose classes nobody has to download. */
+  public ModuleDescription(
+      String robot,
+      String name,
+      String serverClass,
+      String proxyClass,
+      String driverClass,
+      @Nullable String configuration,
+      boolean restart,
+      Parameters parameters,
+      Place place) {
+    this(
+        robot,
+        name,
+        serverClass,
+        proxyClass,
+        driverClass,
+        configuration,
+        List.of(),
+        restart,
+        parameters,
+        place);
   }
 
   /** {@code robot/name}, the way a module is written wherever one line must name it. */

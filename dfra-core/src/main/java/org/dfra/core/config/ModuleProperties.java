@@ -32,11 +32,18 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
   /** Key of the module's Jini configuration, a path relative to the properties file. */
   public static final String CONFIGURATION = "configuration";
 
+  /**
+   * Key of the jars that clients without the module's classes download, paths relative to the
+   * properties file, separated by commas.
+   */
+  public static final String DOWNLOAD = "download";
+
   /** What the key of a parameter begins with; the parameter's name follows. */
   public static final String PARAMETER = "parameter.";
 
   /** Every key there is; {@link #PARAMETER} stands for all that begin with it. */
-  public static final List<String> KEYS = List.of(SERVER, PROXY, DRIVER, CONFIGURATION, PARAMETER);
+  public static final List<String> KEYS =
+      List.of(SERVER, PROXY, DRIVER, CONFIGURATION, DOWNLOAD, PARAMETER);
 
   public ModuleProperties {
     values = Collections.unmodifiableMap(new LinkedHashMap<>(values));

@@ -3,9 +3,13 @@ package org.dfra.core.config;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Function;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
@@ -47,6 +51,7 @@ final class ModuleReader {
     String proxy = className(ModuleProperties.PROXY);
     String driver = className(ModuleProperties.DRIVER);
     String configuration = configuration();
+    List<String> download = download();
     boolean restart = values.restart(element);
     Map<String, Parameters.Value> parameters = parameters();
     if (!faults.isEmpty()
@@ -65,6 +70,7 @@ final class ModuleReader {
             proxy,
             driver,
             configuration,
+            download,
             restart,
             new Parameters(robot + "/" + name, parameters),
             values.place(element)));
@@ -107,16 +113,44 @@ final class ModuleReader {
   }
 
   private @Nullable String configuration() {
-    String key = ModuleProperties.CONFIGURATION;
+    List<String> named = files(ModuleProperties.CONFIGURATION, List::of);
+    return named.isEmpty() ? null : named.get(0);
+  }
+
+  private List<String> download() {
+    return files(
+        ModuleProperties.DOWNLOAD,
+        text ->
+            Arrays.stream(text.split(","))
+                .map(String::strip)
+                .filter(item -> !item.isEmpty())
+                .distinct()
+                .toList());
+  }
+
+  /**
+   * The files that a key names, in the XML or else in the properties, absolute; without those that
+   * are, a fault, not there.
+   *
+   * @param names takes the key's value apart
+   */
+  private List<String> files(String key, Function<String, List<String>> names) {
+    boolean inXml = element.getAttributeValue(key) != null;
     Optional<Parameters.Value> inProperties = properties.find(key);
-    Path path = null;
-    if (element.getAttributeValue(key) != null) {
-      path = existing(key, values.attribute(element, key), file, values.place(element));
-    } else if (inProperties.isPresent()) {
-      Parameters.Value value = inProperties.get();
-      path = existing(key, value.text(), properties.source(), value.place());
+    String text =
+        inXml
+            ? values.attribute(element, key)
+            : inProperties.map(Parameters.Value::text).orElse(null);
+    if (text == null) {
+      return List.of();
     }
-    return path == null ? null : path.toAbsolutePath().normalize().toString();
+    Path base = inXml ? file : properties.source();
+    Place place = inXml ? values.place(element) : inProperties.orElseThrow().place();
+    return names.apply(text).stream()
+        .map(name -> existing(key, name, base, place))
+        .filter(Objects::nonNull)
+        .map(path -> path.toAbsolutePath().normalize().toString())
+        .toList();
   }
 
   /** A file named relative to another one; null if it is not named or, a fault, not there. */

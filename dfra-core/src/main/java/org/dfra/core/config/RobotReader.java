@@ -130,11 +130,25 @@ final class RobotReader {
         values.attribute(element, "port", Integer.toString(RegistrarDescription.DISCOVERY_PORT));
     String fault = port == null ? null : Rules.registrarPort(port);
     values.check(element, fault);
+    Integer classes = classes(element);
     boolean restart = values.restart(element);
-    return port == null || fault != null
+    return port == null || fault != null || classes == null
         ? Optional.empty()
         : Optional.of(
-            new RegistrarDescription(Integer.parseInt(port), restart, values.place(element)));
+            new RegistrarDescription(
+                Integer.parseInt(port), classes, restart, values.place(element)));
+  }
+
+  /** The class server's port; null, a fault, if it is none. */
+  private @Nullable Integer classes(Element element) {
+    String written =
+        values.attribute(element, "classes", Integer.toString(RegistrarDescription.CLASS_PORT));
+    if (written == null || written.equals(RegistrarDescription.OFF)) {
+      return written == null ? null : RegistrarDescription.NO_CLASSES;
+    }
+    String fault = Rules.classPort(written);
+    values.check(element, fault);
+    return fault == null ? Integer.valueOf(written) : null;
   }
 
   /** The items between the commas of an attribute; a blank item is none. */

@@ -54,6 +54,12 @@ final class RobotWriter {
   private static Element registrar(RegistrarDescription registrar) {
     Element element = element("registrar");
     set(element, "port", Integer.toString(registrar.port()));
+    set(
+        element,
+        "classes",
+        registrar.servesClasses()
+            ? Integer.toString(registrar.classes())
+            : RegistrarDescription.OFF);
     set(element, "restart", Boolean.toString(registrar.restart()));
     return element;
   }
@@ -65,6 +71,9 @@ final class RobotWriter {
     set(element, ModuleProperties.PROXY, module.proxyClass());
     set(element, ModuleProperties.DRIVER, module.driverClass());
     set(element, ModuleProperties.CONFIGURATION, module.configuration());
+    if (!module.download().isEmpty()) {
+      set(element, ModuleProperties.DOWNLOAD, String.join(",", module.download()));
+    }
     set(element, "restart", Boolean.toString(module.restart()));
     module
         .parameters()

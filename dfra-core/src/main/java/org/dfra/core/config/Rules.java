@@ -81,6 +81,17 @@ final class Rules {
         : "the registrar's port is \"" + port + "\"; write a whole number from 0 to " + LAST_PORT;
   }
 
+  /** A class server's port has to stay the same, so the system must not choose it. */
+  static @Nullable String classPort(String port) {
+    return number(port) > 0
+        ? null
+        : "the class server's port is \""
+            + port
+            + "\"; write a whole number from 1 to "
+            + LAST_PORT
+            + ", or off";
+  }
+
   static @Nullable String locator(String text) {
     return canonicalLocator(text).isPresent()
         ? null

@@ -26,11 +26,13 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.NoModuleFoundException;
 import org.dfra.module.Idempotent;
 import org.dfra.module.Module;
+import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Stands for all modules that match a query. A module that failed is asked last for a while, since
- * a lookup service lists a dead one until its lease has run out.
+ * a lookup service lists a dead one until its lease has run out, and one that has just come back
+ * has nothing to tell yet.
  */
 final class FailoverHandler<M extends Module> implements InvocationHandler {
 
@@ -69,10 +71,12 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
     }
     try {
       return call(first.get(), method, args);
-    } catch (RemoteException e) {
+    } catch (RemoteException | NotReadyException e) {
       if (!method.isAnnotationPresent(Idempotent.class)) {
-        throw new CallFailedException(
-            method.getName() + " on " + first.get().path(), mayHaveRun(e), e);
+        throw e instanceof RemoteException failure
+            ? new CallFailedException(
+                method.getName() + " on " + first.get().path(), mayHaveRun(failure), failure)
+            : e;
       }
       Optional<ModuleListing<M>> other = choose(first.get().id());
       if (other.isEmpty() || Thread.currentThread().isInterrupted()) {
@@ -80,7 +84,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
       }
       try {
         return call(other.get(), method, args);
-      } catch (RemoteException again) {
+      } catch (RemoteException | NotReadyException again) {
         again.addSuppressed(e);
         throw again;
       }
@@ -96,7 +100,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
       return answer;
     } catch (InvocationTargetException e) {
       Throwable cause = Objects.requireNonNull(e.getCause());
-      if (cause instanceof RemoteException) {
+      if (cause instanceof RemoteException || cause instanceof NotReadyException) {
         failed.put(target.id(), nanos.getAsLong());
       }
       throw cause;

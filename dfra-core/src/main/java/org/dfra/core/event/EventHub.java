@@ -4,12 +4,14 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.Kind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.time.Scheduler;
 
 /**
  * Takes a module's events and hands them to everybody who listens. Publishing never waits for a

@@ -7,8 +7,7 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.core.event.EventHub}. A remote listener is a listener like any other
- * here; the distributed layer uses {@link org.dfra.core.event.ListenerQueue} once more on the
- * listener's side, so that a slow listener does not hold the call that tells it.
+ * here. The queues are those of {@link org.dfra.event.delivery}.
  */
 @NullMarked
 package org.dfra.core.event;

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
 import org.dfra.module.History;
 import org.dfra.module.Incident;
 import org.dfra.module.Incident.Kind;
+import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
 
 /**

@@ -12,11 +12,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.function.IntConsumer;
-import org.dfra.core.time.Scheduler;
-import org.dfra.core.time.Scheduler.Task;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseStatus;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.Task;
 import org.jspecify.annotations.Nullable;
 
 /**

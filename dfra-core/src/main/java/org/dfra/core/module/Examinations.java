@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.time.Scheduler;
 import org.dfra.module.Diagnosis;
+import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
 
 /**
@@ -121,7 +121,7 @@ public final class Examinations {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return new Finding(false, "it was interrupted before its end");
-    } catch (Exception e) {
+    } catch (Exception e) { // as Check declares it: a driver's own
       log.warn("{}: an examination ended in an exception", module, e);
       return new Finding(false, "it could not be done: " + e);
     }

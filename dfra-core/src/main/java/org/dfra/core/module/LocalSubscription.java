@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
-import org.dfra.core.event.Tally;
 import org.dfra.event.Subscription;
+import org.dfra.event.delivery.Tally;
 
 /** The tie of a listener in the module's own virtual machine. */
 final class LocalSubscription implements Subscription {

@@ -4,7 +4,7 @@ import java.time.InstantSource;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
+import org.dfra.time.Scheduler;
 
 /**
  * What a driver is given when it is constructed.

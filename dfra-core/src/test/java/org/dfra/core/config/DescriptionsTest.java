@@ -98,9 +98,14 @@ class DescriptionsTest {
 
   @Test
   void aRegistrarChecksItsPort() {
-    assertThatThrownBy(() -> new RegistrarDescription(70000, true, PLACE))
+    assertThatThrownBy(() -> new RegistrarDescription(70000, 8085, true, PLACE))
         .hasMessage(
             "robot.xml:7: the registrar's port is \"70000\"; write a whole number from 0 to 65535");
+    assertThatThrownBy(() -> new RegistrarDescription(4160, 70000, true, PLACE))
+        .hasMessage(
+            "robot.xml:7: the class server's port is \"70000\"; write a whole number from 1 to"
+                + " 65535, or off");
+    assertThat(new RegistrarDescription(4160, 0, true, PLACE).servesClasses()).isFalse();
   }
 
   @Test
@@ -128,7 +133,7 @@ class DescriptionsTest {
         new GroupDescription(
             "lookup",
             List.of(),
-            Optional.of(new RegistrarDescription(4160, true, PLACE)),
+            Optional.of(new RegistrarDescription(4160, 8085, true, PLACE)),
             List.of(),
             PLACE);
     GroupDescription other =

@@ -70,7 +70,8 @@ class RobotReferenceTest {
   void namesTheNamespaceAndTheDefaults() throws IOException {
     assertThat(reference())
         .contains("`" + RobotSchema.NAMESPACE.getURI() + "`")
-        .contains("| `port` | default `" + RegistrarDescription.DISCOVERY_PORT + "` |");
+        .contains("| `port` | default `" + RegistrarDescription.DISCOVERY_PORT + "` |")
+        .contains("| `classes` | default `" + RegistrarDescription.CLASS_PORT + "` |");
   }
 
   @Test

@@ -18,16 +18,19 @@ class RobotRoundTripTest {
   void whatIsWrittenReadsBackEqual() throws IOException {
     RobotFolder folder = new RobotFolder(temp);
     folder.write("module.config", "");
+    folder.write("a.jar", "");
+    folder.write("b.jar", "");
     folder
         .properties(
             RobotFolder.CLASSES
                 + "configuration=module.config\n"
+                + "download=a.jar,b.jar\n"
                 + "parameter.odd=\\ a\\tb\\nc\\rd $$ ${HOST} <>&\\\"' caf\u00e9 \\uD83D\\uDE80 \n")
         .xml(
             "<lookup groups=\"field,north\" locators=\"base,relay:4161\"/>",
             "<persona role=\"scout $$\"><goal> Map ${HOST} &amp; all. </goal>",
             "<limitation>no stairs</limitation><goal>Come back.</goal></persona>",
-            "<group name=\"lookup\"><registrar port=\"4170\" restart=\"false\"/></group>",
+            "<group name=\"lookup\"><registrar port=\"4170\" classes=\"off\" restart=\"false\"/></group>",
             "<group name=\"gps\"><jvm-option>-Da=b  c $$</jvm-option>",
             "<jvm-option>-Xmx64m</jvm-option>",
             "<module name=\"front\" properties=\"gps.properties\" restart=\"false\">",

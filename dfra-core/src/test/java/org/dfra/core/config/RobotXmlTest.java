@@ -24,7 +24,7 @@ class RobotXmlTest {
                 <robot xmlns="urn:dfra:robot:1" name="atrv1" host="${DFRA_HOST:-auto}">
                   <lookup groups="field, north" locators="base, jini://relay:4161/"/>
                   <group name="lookup">
-                    <registrar port="${DFRA_PORT:-4170}" restart="false"/>
+                    <registrar port="${DFRA_PORT:-4170}" classes="8090" restart="false"/>
                   </group>
                   <group name="gps">
                     <jvm-option>-Xmx64m</jvm-option>
@@ -47,7 +47,7 @@ class RobotXmlTest {
     assertThat(robot.source()).isEqualTo(folder.path("robot.xml"));
     String xml = folder.path("robot.xml").toString();
     assertThat(robot.registrar())
-        .contains(new RegistrarDescription(4170, false, new Place(xml, 4)));
+        .contains(new RegistrarDescription(4170, 8090, false, new Place(xml, 4)));
     GroupDescription gps = robot.groups().get(1);
     assertThat(gps.name()).isEqualTo("gps");
     assertThat(gps.jvmOptions()).containsExactly("-Xmx64m", "-Dx=10.0.0.7");
@@ -80,7 +80,9 @@ class RobotXmlTest {
     assertThat(robot.lookupGroups()).isEmpty();
     assertThat(robot.locators()).isEmpty();
     assertThat(robot.registrar()).map(RegistrarDescription::port).contains(4160);
+    assertThat(robot.registrar()).map(RegistrarDescription::classes).contains(8085);
     assertThat(robot.registrar()).map(RegistrarDescription::restart).contains(true);
+    assertThat(robot.modules()).allMatch(module -> module.download().isEmpty());
     assertThat(robot.modules()).allMatch(ModuleDescription::restart);
   }
 
@@ -128,6 +130,39 @@ class RobotXmlTest {
 
     assertThat(folder.readModule().configuration())
         .isEqualTo(folder.path("module.config").toAbsolutePath().toString());
+  }
+
+  @Test
+  void jarsToDownloadAreRelativeToTheFileThatNamesThem() {
+    RobotFolder folder = folder();
+    folder.write("a.jar", "");
+    folder.write("b.jar", "");
+    folder.properties(RobotFolder.CLASSES + "download=a.jar, b.jar,a.jar,\n").module();
+    assertThat(folder.readModule().download())
+        .containsExactly(
+            folder.path("a.jar").toAbsolutePath().toString(),
+            folder.path("b.jar").toAbsolutePath().toString());
+
+    folder.properties(RobotFolder.CLASSES + "download=b.jar,c.jar\n");
+    assertThat(folder.complaints())
+        .containsExactly(
+            "gps.properties:4: the download file \"c.jar\" of module gps_front does not exist;"
+                + " name one, relative to gps.properties");
+  }
+
+  @Test
+  void aRobotMayRunNoClassServer() {
+    RobotFolder folder = folder().xml("<group name=\"a\"><registrar classes=\"off\"/></group>");
+    assertThat(folder.read().registrar().orElseThrow().servesClasses()).isFalse();
+
+    for (String wrong : List.of("0", "x", "")) {
+      folder.xml("<group name=\"a\"><registrar classes=\"" + wrong + "\"/></group>");
+      assertThat(folder.complaints())
+          .containsExactly(
+              "robot.xml:2: the class server's port is \""
+                  + wrong
+                  + "\"; write a whole number from 1 to 65535, or off");
+    }
   }
 
   @Test

@@ -15,13 +15,16 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.Kind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.event.delivery.Tally;
+import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.dfra.core.time.Scheduler;
+import org.dfra.time.Scheduler;
 
 /** Time that the test steps; what is due runs on the test's thread. */
 public final class SteppedScheduler implements Scheduler {

@@ -23,6 +23,7 @@ import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
@@ -40,11 +41,17 @@ final class BootstrapLoader {
   private final PhoenixAdmin admin;
   private final ActivationSystem system;
   private final String robot;
+  private final Optional<RobotClasses> classes;
 
-  BootstrapLoader(PhoenixAdmin admin, ActivationSystem system, String robot) {
+  /**
+   * @param classes what the robot serves to clients that lack its classes
+   */
+  BootstrapLoader(
+      PhoenixAdmin admin, ActivationSystem system, String robot, Optional<RobotClasses> classes) {
     this.admin = admin;
     this.system = system;
     this.robot = robot;
+    this.classes = classes;
   }
 
   /** Registers a service group. */
@@ -52,6 +59,7 @@ final class BootstrapLoader {
     Properties properties = new Properties();
     properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());
     List<String> options = new ArrayList<>(JvmCommand.options());
+    classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
     options.addAll(group.jvmOptions());
     ActivationGroupDesc desc =
         new ActivationGroupDesc(

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 
 /**
@@ -29,6 +30,7 @@ public final class JvmCommand {
   public static List<String> options() {
     List<String> options = new ArrayList<>(bootOptions());
     options.addAll(TrustedCode.options());
+    options.addAll(SerialFilters.options());
     options.add("-XX:TieredStopAtLevel=1");
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");

@@ -8,6 +8,7 @@ import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.river.phoenix.Phoenix;
@@ -25,11 +26,21 @@ import org.dfra.river.phoenix.PhoenixLocator;
 public record PhoenixProcess(String host, int port, int registryPort, Path state) {
 
   private static final Duration DEADLINE = Duration.ofSeconds(10);
+  private static final String MAIN = Phoenix.class.getName();
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
   /** The activation system's proxy; nothing is sent before its first call. */
   public ActivationSystem system() {
     return PhoenixLocator.system(host, port, DEADLINE);
+  }
+
+  /**
+   * The administrator's view of it.
+   *
+   * @param deadline how long each answer is awaited
+   */
+  public PhoenixAdmin admin(Duration deadline) {
+    return (PhoenixAdmin) PhoenixLocator.system(host, port, deadline);
   }
 
   /** Whether a phoenix answers there. */
@@ -45,6 +56,25 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   /** The administrator's view of it. */
   public PhoenixAdmin admin() {
     return (PhoenixAdmin) system();
+  }
+
+  /**
+   * The number of the process that owns the journal in the state folder; empty where none does, or
+   * where the folder cannot be read.
+   */
+  public OptionalLong pid() {
+    try {
+      String owner = Files.readString(state.resolve("journal").resolve("phoenix.lock")).strip();
+      Path command = Path.of("/proc", owner, "cmdline"); // ProcessHandle cuts long ones short
+      boolean isPhoenix =
+          !Files.exists(Path.of("/proc/self")) || Files.readString(command).contains(MAIN);
+      long pid = Long.parseLong(owner);
+      return isPhoenix && ProcessHandle.of(pid).isPresent()
+          ? OptionalLong.of(pid)
+          : OptionalLong.empty();
+    } catch (IOException | NumberFormatException e) {
+      return OptionalLong.empty();
+    }
   }
 
   /** The file with what the process prints. */
@@ -115,7 +145,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   private List<String> command() {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
-    command.add(Phoenix.class.getName());
+    command.add(MAIN);
     String resource = "phoenix.config";
     command.add(PhoenixProcess.class.getResource(resource).toString());
     override(command, "host", quote(host));

@@ -31,6 +31,7 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.PersonaEntry;
+import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
@@ -86,6 +87,10 @@ public final class RobotBootstrap {
    *     before stays up
    */
   public List<Service> up() throws ActivationException, IOException {
+    Optional<RobotClasses> classes = classes();
+    if (classes.isPresent()) {
+      classes.get().check();
+    }
     new KnownRobots(phoenix.state()).remember(robot);
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
@@ -140,6 +145,16 @@ public final class RobotBootstrap {
     }
   }
 
+  /**
+   * What the robot serves to clients that lack its classes. Empty if it runs no class server, or
+   * there is nothing to serve.
+   *
+   * @throws IOException if DFRA's own jars are not where they should be
+   */
+  public Optional<RobotClasses> classes() throws IOException {
+    return DownloadJars.of(robot, host, phoenix.state());
+  }
+
   /** Where the module keeps what outlives its virtual machine. */
   private Path state(ModuleDescription module) {
     return phoenix
@@ -150,8 +165,8 @@ public final class RobotBootstrap {
         .resolve(module.name());
   }
 
-  private BootstrapLoader loader() {
-    return new BootstrapLoader(phoenix.admin(), phoenix.system(), robot.name());
+  private BootstrapLoader loader() throws IOException {
+    return new BootstrapLoader(phoenix.admin(), phoenix.system(), robot.name(), classes());
   }
 
   /**
@@ -353,22 +368,14 @@ public final class RobotBootstrap {
       throws ActivationException, IOException {
     Path folder = phoenix.state().resolve("registrars");
     Files.createDirectories(folder);
-    List<String> arguments = new ArrayList<>();
-    arguments.add(RobotBootstrap.class.getResource("registrar.config").toString());
-    override(arguments, "host", PhoenixProcess.quote(host));
-    override(arguments, "initialUnicastDiscoveryPort", Integer.toString(registrar.port()));
-    override(
-        arguments,
-        "persistenceDirectory",
-        PhoenixProcess.quote(folder.resolve(robot.name()).toString()));
-    override(arguments, "initialMemberGroups", array(robot.lookupGroups()));
-    if (multicastGroups().isEmpty()) { // neither to announce itself nor to listen for others
-      String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
-      arguments.add("com.sun.jini.reggie." + none);
-      arguments.add("net.jini.discovery.LookupDiscovery." + none);
-    }
-    return loader.registrar(
-        group, registrar, new MarshalledObject<>(arguments.toArray(String[]::new)));
+    String[] arguments =
+        RegistrarArguments.of(
+            host,
+            registrar.port(),
+            folder.resolve(robot.name()),
+            robot.lookupGroups(),
+            !multicastGroups().isEmpty());
+    return loader.registrar(group, registrar, new MarshalledObject<>(arguments));
   }
 
   /** The robot's own registrar is joined by unicast too: its modules need no multicast for it. */
@@ -386,15 +393,5 @@ public final class RobotBootstrap {
   /** None where the robot is on the loopback: nobody elsewhere could reach what was announced. */
   private List<String> multicastGroups() {
     return HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups();
-  }
-
-  private static void override(List<String> arguments, String entry, String expression) {
-    arguments.add("com.sun.jini.reggie." + entry + "=" + expression);
-  }
-
-  private static String array(List<String> texts) {
-    return "new String[]{"
-        + String.join(",", texts.stream().map(PhoenixProcess::quote).toList())
-        + "}";
   }
 }

@@ -146,7 +146,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       return call.<@Nullable Object>carry(() -> super.invoke(proxy, method, args));
     } catch (Exception | Error e) {
       throw e;
-    } catch (Throwable e) {
+    } catch (Throwable e) { // as InvocationHandler declares it
       throw new Carried(e);
     } finally {
       if (call.end()) {

@@ -2,6 +2,7 @@ package org.dfra.river.call;
 
 import java.io.IOException;
 import java.io.Serializable;
+import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -14,8 +15,6 @@ import java.util.concurrent.TimeUnit;
 import javax.net.SocketFactory;
 import net.jini.jeri.tcp.TcpEndpoint;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A client's sockets to servers, those closed that lead nowhere.
@@ -34,7 +33,7 @@ final class PeerSockets extends SocketFactory implements Serializable {
 
   private static final long serialVersionUID = 1L;
 
-  private static final Logger LOG = LoggerFactory.getLogger(PeerSockets.class);
+  private static final System.Logger LOG = System.getLogger(PeerSockets.class.getName());
 
   private static final int CONNECT_MILLIS =
       Math.toIntExact(DeadlineILFactory.DEFAULT_DEADLINE.toMillis());
@@ -65,12 +64,18 @@ final class PeerSockets extends SocketFactory implements Serializable {
       List<Connected> dead = OPEN.stream().filter(each -> each.isTo(server)).toList();
       dead.forEach(Connected::abandon);
       if (!dead.isEmpty()) {
-        LOG.info(
-            "{}:{} is out of reach ({}); {} closed, to begin anew when it is back.",
-            server.getHost(),
-            server.getPort(),
-            e.getMessage(),
-            dead.size() == 1 ? "1 connection is" : dead.size() + " connections are");
+        String closed = dead.size() == 1 ? "1 connection is" : dead.size() + " connections are";
+        LOG.log(
+            Level.INFO,
+            () ->
+                server.getHost()
+                    + ":"
+                    + server.getPort()
+                    + " is out of reach ("
+                    + e.getMessage()
+                    + "); "
+                    + closed
+                    + " closed, to begin anew when it is back.");
       }
     }
   }
@@ -160,7 +165,7 @@ final class PeerSockets extends SocketFactory implements Serializable {
       try {
         close();
       } catch (IOException e) {
-        LOG.debug("A connection to {} was not closed in order.", peer, e);
+        LOG.log(Level.DEBUG, "A connection to " + peer + " was not closed in order.", e);
       }
     }
 

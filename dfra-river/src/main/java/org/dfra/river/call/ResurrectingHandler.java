@@ -1,6 +1,5 @@
 package org.dfra.river.call;
 
-import java.io.IOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serializable;
@@ -17,14 +16,8 @@ import java.rmi.RemoteException;
 import java.rmi.ServerError;
 import java.rmi.ServerException;
 import java.rmi.UnknownHostException;
-import java.rmi.activation.ActivateFailedException;
-import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
-import java.rmi.activation.UnknownObjectException;
 import java.util.Objects;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.security.proxytrust.TrustEquivalence;
@@ -39,7 +32,12 @@ import org.jspecify.annotations.Nullable;
  * in all, and from the second time on with force. A call that broke off on its way may have run: it
  * is repeated, once, where its method is {@link Idempotent}, and reaches the caller as a failure
  * where it is not (at most once). A call that met its deadline is never repeated: the caller has
- * waited long enough.
+ * waited long enough. The next call asks the activator first.
+ *
+ * <p>Where the activator cannot be reached either, or is silent for a second, the last live proxy
+ * is tried once more: a robot works on when its activation daemon is dead, and when a link was cut
+ * for a moment. Never is a call sent twice that may have run the first time, unless it is
+ * idempotent.
  *
  * <p>Callers that share a proxy share one activation: they wait for it together and get the same
  * outcome, so a silent activator costs each of them one deadline, not one after the other.
@@ -53,18 +51,17 @@ public final class ResurrectingHandler
 
   private final ActivationID id;
   private final @Nullable MethodConstraints constraints;
-  private @Nullable Remote live; // guarded by this
-  private transient @Nullable Activation activation; // guarded by this
+  private final transient LiveProxy proxies;
 
   ResurrectingHandler(ActivationID id, @Nullable Remote live) {
-    this(id, constrain(live, null), null);
+    this(id, LiveProxy.constrain(live, null), null);
   }
 
   private ResurrectingHandler(
       ActivationID id, @Nullable Remote live, @Nullable MethodConstraints constraints) {
     this.id = id;
-    this.live = live;
     this.constraints = constraints;
+    this.proxies = new LiveProxy(id, live, constraints);
   }
 
   /** The identifier under which the activation system knows the object. */
@@ -73,8 +70,8 @@ public final class ResurrectingHandler
   }
 
   /** The proxy that was last known to reach the object, or null. */
-  public synchronized @Nullable Remote live() {
-    return live;
+  public @Nullable Remote live() {
+    return proxies.last();
   }
 
   @Override
@@ -97,39 +94,53 @@ public final class ResurrectingHandler
   }
 
   private @Nullable Object call(Method method, Object @Nullable [] args) throws Throwable {
-    boolean force = false;
     boolean repeatable = method.isAnnotationPresent(Idempotent.class);
-    @Nullable Remote target = live();
-    if (target == null) {
-      target = activate(null, force);
-      force = true;
-    }
+    ObjectSearch search = new ObjectSearch(proxies);
+    Remote target = search.first();
     for (int attempt = 1; ; attempt++) {
+      RemoteException failure;
       try {
-        return invokeOn(target, method, args);
+        return reach(target, method, args);
       } catch (NoSuchObjectException
           | ConnectException
           | ConnectIOException
           | UnknownHostException e) {
-        if (attempt == ATTEMPTS) {
-          throw e;
-        }
+        failure = e; // it has not run
       } catch (MarshalException | ServerError | ServerException e) {
         throw e;
       } catch (CallInterruptedException e) {
         throw e; // neither the object's fault nor to be repeated
       } catch (DeadlineExceededException e) {
-        forget(target);
+        proxies.doubt(target);
         throw e;
       } catch (RemoteException e) {
-        if (!repeatable || attempt == ATTEMPTS) {
-          forget(target);
+        if (!repeatable) {
+          proxies.doubt(target);
           throw e;
         }
         repeatable = false; // once is enough
+        failure = e;
       }
-      target = activate(target, force);
-      force = true;
+      if (attempt == ATTEMPTS) {
+        proxies.doubt(target);
+        throw failure;
+      }
+      target = search.next(target, failure);
+    }
+  }
+
+  private @Nullable Object reach(Remote target, Method method, Object @Nullable [] args)
+      throws Throwable {
+    boolean reached = true;
+    try {
+      return invokeOn(target, method, args);
+    } catch (RemoteException e) {
+      reached = false;
+      throw e;
+    } finally {
+      if (reached) { // what the object itself throws is an answer too
+        proxies.trust(target);
+      }
     }
   }
 
@@ -146,117 +157,12 @@ public final class ResurrectingHandler
     }
   }
 
-  private synchronized void forget(Remote dead) {
-    if (dead.equals(live)) {
-      live = null;
-    }
-  }
-
-  /** An activation that is under way, and whether it was asked for with force. */
-  private record Activation(FutureTask<Remote> task, boolean force) {}
-
-  /**
-   * The live proxy that replaces {@code dead}: one that another caller got, or a new one.
-   *
-   * <p>The activation runs on a thread of its own, so that none of those who wait for it can spoil
-   * it for the others by being interrupted.
-   */
-  private Remote activate(@Nullable Remote dead, boolean force) throws Exception {
-    Activation shared;
-    synchronized (this) {
-      if (live != null && !live.equals(dead)) {
-        return live;
-      }
-      // One without force may bring the same dead proxy again, so it is no help to who needs force.
-      if (activation == null || (force && !activation.force())) {
-        activation = begin(force);
-      }
-      shared = activation;
-    }
-    try {
-      return shared.task().get();
-    } catch (ExecutionException e) {
-      Throwable cause = e.getCause();
-      if (cause instanceof Exception failure) {
-        throw failure;
-      }
-      throw e;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new CallInterruptedException("activating " + id, false);
-    }
-  }
-
-  private Activation begin(boolean force) {
-    AtomicReference<@Nullable Activation> self = new AtomicReference<>();
-    Activation begun = new Activation(new FutureTask<>(() -> bringBack(force, self)), force);
-    self.set(begun);
-    CallThreads.run(begun.task());
-    return begun;
-  }
-
-  /** Asks the activator; what it answers counts before the activation is over. */
-  private Remote bringBack(boolean force, AtomicReference<@Nullable Activation> self)
-      throws RemoteException {
-    @Nullable Remote found = null;
-    try {
-      found = askActivator(force);
-      return found;
-    } finally {
-      synchronized (this) {
-        if (activation == self.get()) {
-          activation = null;
-          live = found != null ? found : live;
-        }
-      }
-    }
-  }
-
-  private Remote askActivator(boolean force) throws RemoteException {
-    try {
-      Remote proxy = id.activate(force);
-      if (!(handlerOf(proxy) instanceof ResurrectingHandler handler)) {
-        throw new ActivateFailedException(
-            "the object came back without a resurrecting proxy; export it with "
-                + ResurrectingExporter.class.getSimpleName());
-      }
-      if (!id.equals(handler.id)) {
-        throw new ActivateFailedException("the object came back under another activation ID");
-      }
-      @Nullable Remote found = handler.live();
-      if (found == null) {
-        throw new ActivateFailedException("the object came back without a live proxy");
-      }
-      return Objects.requireNonNull(constrain(found, constraints));
-    } catch (UnknownObjectException e) {
-      NoSuchObjectException gone =
-          new NoSuchObjectException("the activation system does not know the object any more");
-      gone.detail = e; // a RemoteException takes no cause by initCause
-      throw gone;
-    } catch (ActivationException e) {
-      throw new ActivateFailedException("the object could not be activated", e);
-    } catch (ActivateFailedException e) {
-      throw e;
-    } catch (ConnectException e) {
-      throw new ConnectException("the activation system cannot be reached", e);
-    } catch (RemoteException e) {
-      throw new ConnectIOException("the activation system did not answer", e);
-    }
-  }
-
   private Object constrained(Object proxy, @Nullable MethodConstraints wanted) {
     Class<?> type = proxy.getClass();
     return Proxy.newProxyInstance(
         type.getClassLoader(),
         type.getInterfaces(),
-        new ResurrectingHandler(id, constrain(live(), wanted), wanted));
-  }
-
-  private static @Nullable Remote constrain(
-      @Nullable Remote proxy, @Nullable MethodConstraints wanted) {
-    return proxy instanceof RemoteMethodControl control
-        ? (Remote) control.setConstraints(wanted)
-        : proxy;
+        new ResurrectingHandler(id, LiveProxy.constrain(live(), wanted), wanted));
   }
 
   private Object objectMethod(Object proxy, Method method, Object @Nullable [] args) {
@@ -300,10 +206,25 @@ public final class ResurrectingHandler
     return "ResurrectingHandler[" + id + "]";
   }
 
-  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
-    in.defaultReadObject();
-    if (id == null) {
-      throw new InvalidObjectException("no activation ID");
+  private Object writeReplace() {
+    return new Form(id, live(), constraints);
+  }
+
+  private void readObject(ObjectInputStream in) throws InvalidObjectException {
+    throw new InvalidObjectException("a handler of this kind is written as its form");
+  }
+
+  /** What crosses the wire: also the last proxy, for a client that the activator is far from. */
+  private record Form(
+      ActivationID id, @Nullable Remote live, @Nullable MethodConstraints constraints)
+      implements Serializable {
+
+    Form {
+      Objects.requireNonNull(id, "activation ID");
+    }
+
+    private Object readResolve() {
+      return new ResurrectingHandler(id, live, constraints);
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.entry;
 
+import java.lang.System.Logger.Level;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
@@ -11,13 +12,11 @@ import java.util.Map;
 import net.jini.core.entry.Entry;
 import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** Turns attribute records into entries and entries into attribute records. */
 public final class Entries {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Entries.class);
+  private static final System.Logger LOG = System.getLogger(Entries.class.getName());
 
   /** Every entry class that mirrors a record, a subclass before its superclass. */
   private static final List<Class<? extends Entry>> KINDS =
@@ -128,17 +127,21 @@ public final class Entries {
     for (int i = 0; i < types.length; i++) {
       types[i] = components[i].getType();
       if (types[i].isPrimitive() && values[i] == null) {
-        LOG.debug("{} without {} is left out.", type.getSimpleName(), components[i].getName());
+        LOG.log(
+            Level.DEBUG,
+            "{0} without {1} is left out.",
+            type.getSimpleName(),
+            components[i].getName());
         return null;
       }
     }
     try {
       return type.getDeclaredConstructor(types).newInstance(values);
     } catch (InvocationTargetException | IllegalArgumentException e) {
-      LOG.debug("A {} that is none is left out.", type.getSimpleName(), e);
+      LOG.log(Level.DEBUG, "A " + type.getSimpleName() + " that is none is left out.", e);
       return null;
     } catch (ReflectiveOperationException e) {
-      LOG.debug("A {} cannot be made here.", type.getSimpleName(), e);
+      LOG.log(Level.DEBUG, "A " + type.getSimpleName() + " cannot be made here.", e);
       return null;
     }
   }

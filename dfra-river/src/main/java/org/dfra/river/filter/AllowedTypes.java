@@ -147,6 +147,9 @@ final class AllowedTypes {
     if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked by themselves
       return null;
     }
+    if (type.isInterface()) { // nothing is made of it: a proxy names it, or an object its kind
+      return null;
+    }
     if (InvocationHandler.class.isAssignableFrom(type)
         && type != InvocationHandler.class
         && !name.equals("java.rmi.server.RemoteObjectInvocationHandler")

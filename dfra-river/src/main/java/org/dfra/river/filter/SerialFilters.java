@@ -20,6 +20,17 @@ public final class SerialFilters {
 
   private SerialFilters() {}
 
+  /**
+   * The options with which another virtual machine of DFRA filters alike: a child inherits none.
+   */
+  public static List<String> options() {
+    return System.getProperties().stringPropertyNames().stream()
+        .filter(name -> name.startsWith("dfra.serial."))
+        .sorted()
+        .map(name -> "-D" + name + "=" + System.getProperty(name))
+        .toList();
+  }
+
   /** What is configured; read when it is first needed, so that a main can set it before. */
   private static final class Configured {
     static final AllowedTypes TYPES =

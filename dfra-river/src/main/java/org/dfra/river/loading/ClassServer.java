@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,8 +27,9 @@ import org.slf4j.LoggerFactory;
  * Serves the robot's {@code -dl} jars over HTTP, and says with which annotation.
  *
  * <p>The jars are read when it starts: their digests are those of the bytes it serves, also if a
- * jar is rebuilt meanwhile. Nothing but these jars can be asked for. Its threads, {@code class
- * server n}, live from {@link #start} to {@link #close}.
+ * jar is rebuilt meanwhile. Nothing but these jars can be asked for, and where there are {@link
+ * KeptJars}, what they were before. Its threads, {@code class server n}, live from {@link #start}
+ * to {@link #close}.
  */
 public final class ClassServer implements AutoCloseable {
 
@@ -37,13 +39,16 @@ public final class ClassServer implements AutoCloseable {
 
   private final String host;
   private final int port;
-  private final Path folder;
-  private final List<String> names;
+  private final Map<String, Path> files;
+  private final @Nullable KeptJars kept;
   private Map<String, Jar> jars = Map.of(); // guarded by this
   private @Nullable HttpServer server; // guarded by this
   private @Nullable ExecutorService threads; // guarded by this
 
   private record Jar(byte[] bytes, String digest) {}
+
+  /** What URLs and River's own clients write behind a jar's name, before its digest. */
+  static final String DIGEST = ";sha-256=";
 
   /**
    * @param host address or name of this machine; only it is listened on, and annotations carry it
@@ -54,11 +59,28 @@ public final class ClassServer implements AutoCloseable {
    * @throws IllegalArgumentException if a name is none of a jar in that folder
    */
   public ClassServer(String host, int port, Path folder, List<String> jars) {
+    this(host, port, inFolder(folder, jars), null);
+  }
+
+  /**
+   * @param files the jars by the names they are served under
+   * @param kept where jars are that these replaced; null for nowhere
+   */
+  ClassServer(String host, int port, Map<String, Path> files, @Nullable KeptJars kept) {
     this.host = host;
     this.port = port;
-    this.folder = folder;
-    this.names = List.copyOf(jars);
-    names.forEach(ClassServer::checkName);
+    this.files = Collections.unmodifiableMap(new LinkedHashMap<>(files));
+    this.kept = kept;
+    files.keySet().forEach(ClassServer::checkName);
+  }
+
+  private static Map<String, Path> inFolder(Path folder, List<String> jars) {
+    Map<String, Path> files = new LinkedHashMap<>();
+    for (String name : jars) {
+      checkName(name);
+      files.put(name, folder.resolve(name));
+    }
+    return files;
   }
 
   /**
@@ -71,8 +93,9 @@ public final class ClassServer implements AutoCloseable {
       return;
     }
     Map<String, Jar> read = new LinkedHashMap<>();
-    for (String name : names) {
-      read.put(name, read(folder, name));
+    for (Map.Entry<String, Path> file : files.entrySet()) {
+      byte[] bytes = read(file.getValue());
+      read.put(file.getKey(), new Jar(bytes, Digests.sha256(bytes)));
     }
     // A client that stalls gives its thread back; the JDK's server reads these once.
     System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
@@ -98,7 +121,7 @@ public final class ClassServer implements AutoCloseable {
     starting.createContext("/", this::answer);
     starting.start();
     server = starting;
-    LOG.info("Serving {} at {}:{}.", names, host, starting.getAddress().getPort());
+    LOG.info("Serving {} at {}:{}.", files.keySet(), host, starting.getAddress().getPort());
   }
 
   /** Serves nothing any more. Does nothing if it is not started. */
@@ -129,7 +152,7 @@ public final class ClassServer implements AutoCloseable {
    */
   public synchronized String codebase(String... jars) {
     int listening = started().getAddress().getPort();
-    return (jars.length == 0 ? names.stream() : Arrays.stream(jars))
+    return (jars.length == 0 ? files.keySet().stream() : Arrays.stream(jars))
         .map(name -> url(host, listening, name, served(name).digest()))
         .collect(Collectors.joining(" "));
   }
@@ -143,16 +166,15 @@ public final class ClassServer implements AutoCloseable {
   public static String codebase(String host, int port, Path folder, List<String> jars)
       throws IOException {
     List<String> urls = new ArrayList<>();
-    for (String name : jars) {
-      checkName(name);
-      urls.add(url(host, port, name, read(folder, name).digest()));
+    for (Map.Entry<String, Path> file : inFolder(folder, jars).entrySet()) {
+      urls.add(url(host, port, file.getKey(), Digests.sha256(read(file.getValue()))));
     }
     return String.join(" ", urls);
   }
 
   private HttpServer started() {
     if (server == null) {
-      throw new IllegalStateException("the class server of " + folder + " is not started");
+      throw new IllegalStateException("the class server of " + files.keySet() + " is not started");
     }
     return server;
   }
@@ -161,28 +183,30 @@ public final class ClassServer implements AutoCloseable {
     Jar jar = jars.get(name);
     if (jar == null) {
       throw new IllegalArgumentException(
-          "the class server does not serve " + name + ", only " + names + "; add it there");
+          "the class server does not serve "
+              + name
+              + ", only "
+              + files.keySet()
+              + "; add it there");
     }
     return jar;
   }
 
-  private static String url(String host, int port, String name, String digest) {
+  static String url(String host, int port, String name, String digest) {
     String place = host.contains(":") ? "[" + host + "]" : host;
-    return "httpmd://" + place + ":" + port + "/" + name + ";sha-256=" + digest;
+    return "httpmd://" + place + ":" + port + "/" + name + DIGEST + digest;
   }
 
-  private static void checkName(String name) {
+  static void checkName(String name) {
     if (!name.matches("[A-Za-z0-9_][A-Za-z0-9._-]*\\.jar")) {
       throw new IllegalArgumentException(
           "\"" + name + "\" is no name of a jar: letters, digits, . _ - and .jar at its end");
     }
   }
 
-  private static Jar read(Path folder, String name) throws IOException {
-    Path file = folder.resolve(name);
+  static byte[] read(Path file) throws IOException {
     try {
-      byte[] bytes = Files.readAllBytes(file);
-      return new Jar(bytes, Digests.sha256(bytes));
+      return Files.readAllBytes(file);
     } catch (IOException e) {
       throw new IOException("the jar " + file + " cannot be served (" + e + "); build it first", e);
     }
@@ -222,6 +246,7 @@ public final class ClassServer implements AutoCloseable {
         return;
       }
       exchange.getResponseHeaders().set("Content-Type", "application/java-archive");
+      exchange.getResponseHeaders().set("ETag", etag(jar.digest()));
       if (head) {
         exchange.getResponseHeaders().set("Content-Length", Integer.toString(jar.bytes().length));
         exchange.sendResponseHeaders(200, -1);
@@ -232,13 +257,37 @@ public final class ClassServer implements AutoCloseable {
     }
   }
 
-  /** The path is a key, never a file's name; River's own clients leave the digest in it. */
-  private synchronized @Nullable Jar asked(@Nullable String path) {
+  /** How a jar's digest stands in the header of an answer. */
+  static String etag(String digest) {
+    return '"' + digest + '"';
+  }
+
+  /**
+   * The path is a key, never a file's name. Who asks for a digest that is not to be had gets the
+   * jar of that name as it is, and so can say what differs.
+   */
+  private @Nullable Jar asked(@Nullable String path) throws IOException {
     if (path == null || !path.startsWith("/")) {
       return null;
     }
-    int digest = path.indexOf(";sha-256=");
-    Jar jar = jars.get(path.substring(1, digest < 0 ? path.length() : digest));
-    return jar == null || digest < 0 || path.endsWith("=" + jar.digest()) ? jar : null;
+    int at = path.indexOf(DIGEST);
+    String name = path.substring(1, at < 0 ? path.length() : at);
+    Jar now = now(name);
+    if (at < 0) {
+      return now;
+    }
+    String digest = path.substring(at + DIGEST.length());
+    if (!Digests.isSha256(digest)) {
+      return null;
+    }
+    if (kept != null && (now == null || !now.digest().equals(digest))) {
+      byte @Nullable [] older = kept.find(digest);
+      return older == null ? now : new Jar(older, digest);
+    }
+    return now;
+  }
+
+  private synchronized @Nullable Jar now(String name) {
+    return jars.get(name);
   }
 }

@@ -9,6 +9,11 @@ final class Digests {
 
   private Digests() {}
 
+  /** Whether a text looks like what {@link #sha256} says. */
+  static boolean isSha256(String text) {
+    return text.matches("[0-9a-f]{64}");
+  }
+
   static String sha256(byte[] bytes) {
     try {
       return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));

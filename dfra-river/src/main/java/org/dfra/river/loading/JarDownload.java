@@ -1,6 +1,7 @@
 package org.dfra.river.loading;
 
 import java.io.IOException;
+import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
@@ -50,7 +51,9 @@ final class JarDownload {
   }
 
   private byte[] get(CodebaseUrl url) throws IOException {
-    HttpRequest request = HttpRequest.newBuilder(url.location()).timeout(limits.patience()).build();
+    // With the digest, as River's own clients ask: the server may have this jar and a newer one.
+    URI asked = URI.create(url.location() + ClassServer.DIGEST + url.digest());
+    HttpRequest request = HttpRequest.newBuilder(asked).timeout(limits.patience()).build();
     CompletableFuture<HttpResponse<byte[]>> answer =
         Shared.CLIENT.sendAsync(
             request,

@@ -1,11 +1,18 @@
 package org.dfra.river.loading;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.rmi.server.RMIClassLoader;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Switches downloaded code on in this virtual machine, for code that is trusted.
@@ -16,11 +23,20 @@ import org.jspecify.annotations.Nullable;
  */
 public final class TrustedCode {
 
+  private static final Logger LOG = LoggerFactory.getLogger(TrustedCode.class);
+
   private static final String PROVIDER = "java.rmi.server.RMIClassLoaderSpi";
+  private static final String TAKEN =
+      "RMI has another class provider already; call TrustedCode.install() first in main, or start"
+          + " with -D"
+          + PROVIDER
+          + "="
+          + VerifiedClassProvider.class.getName();
   private static final String CODEBASE_ONLY = "java.rmi.server.useCodebaseOnly";
   private static final String CODEBASE = "java.rmi.server.codebase";
 
   private static volatile boolean inPlace;
+  private static volatile Map<String, String> kinds = Map.of();
   private static @Nullable Loaders loaders; // guarded by the class
 
   private TrustedCode() {}
@@ -42,22 +58,34 @@ public final class TrustedCode {
    * @throws IllegalStateException if RMI has a class provider already
    */
   public static synchronized void install(CodeTrust trust) {
+    if (!installUnlessTaken(trust)) {
+      throw new IllegalStateException(TAKEN);
+    }
+  }
+
+  /**
+   * Does what {@link #install()} does for a program that did not, as a directory does before it
+   * reads its first proxy. Where RMI has another class provider it says so in the log.
+   *
+   * @throws IOException if the trust file makes no sense
+   */
+  public static void installUnlessTaken() throws IOException {
+    if (!inPlace && !installUnlessTaken(CodeTrust.configured())) {
+      LOG.warn("Proxies of robots that serve their classes cannot be read: {}.", TAKEN);
+    }
+  }
+
+  /** Whether our provider is RMI's now. */
+  private static synchronized boolean installUnlessTaken(CodeTrust trust) {
     if (inPlace && loaders != null) {
-      return;
+      return true;
     }
     System.setProperty(PROVIDER, VerifiedClassProvider.class.getName());
     // Codebases in streams count: it is the provider that decides which.
     System.setProperty(CODEBASE_ONLY, "false");
     loaders = new Loaders(new Admission(trust), System::nanoTime);
     RMIClassLoader.getClassAnnotation(TrustedCode.class); // has the JDK make the provider now
-    if (!inPlace) {
-      throw new IllegalStateException(
-          "RMI has another class provider already; call TrustedCode.install() first in main, or"
-              + " start with -D"
-              + PROVIDER
-              + "="
-              + VerifiedClassProvider.class.getName());
-    }
+    return inPlace;
   }
 
   /**
@@ -68,6 +96,33 @@ public final class TrustedCode {
   public static void annotate(String codebase) {
     CodebaseUrl.parse(codebase);
     System.setProperty(CODEBASE, codebase);
+  }
+
+  /**
+   * The same, where some classes have codebases of their own.
+   *
+   * @param codebase of all other classes of the class path; null for none
+   * @param byClass codebases by the full names of classes
+   */
+  static void annotate(@Nullable String codebase, Map<String, String> byClass) {
+    kinds = Map.copyOf(byClass);
+    if (codebase != null) {
+      annotate(codebase);
+    }
+  }
+
+  /** With which codebase a class of the class path leaves this virtual machine; null for none. */
+  static @Nullable String annotation(Class<?> type) {
+    // A stub's class is made at run time; what its reader may lack are its interfaces.
+    Stream<Class<?>> named =
+        Proxy.isProxyClass(type) ? Arrays.stream(type.getInterfaces()) : Stream.of(type);
+    String codebase =
+        named
+            .map(each -> kinds.get(each.getName()))
+            .filter(Objects::nonNull)
+            .findFirst()
+            .orElseGet(() -> System.getProperty(CODEBASE));
+    return codebase == null || codebase.isBlank() ? null : codebase;
   }
 
   /**

@@ -20,7 +20,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class VerifiedClassProvider extends RMIClassLoaderSpi {
 
-  private static final String CODEBASE = "java.rmi.server.codebase";
   private static final Set<String> PRIMITIVES =
       Set.of("boolean", "byte", "char", "short", "int", "long", "float", "double", "void");
 
@@ -99,8 +98,9 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
   /**
    * {@inheritDoc}
    *
-   * <p>A downloaded class keeps the codebase it came from; one of the class path has what system
-   * property {@code java.rmi.server.codebase} says now; one of the JDK has none.
+   * <p>A downloaded class keeps the codebase it came from; one of the class path has that of its
+   * kind of module, or else what system property {@code java.rmi.server.codebase} says now; one of
+   * the JDK has none.
    */
   @Override
   public @Nullable String getClassAnnotation(Class<?> type) {
@@ -115,8 +115,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     if (loader instanceof VerifiedLoader downloaded) {
       return downloaded.codebase();
     }
-    String codebase = System.getProperty(CODEBASE);
-    return codebase == null || codebase.isBlank() ? null : codebase;
+    return TrustedCode.annotation(element);
   }
 
   private ClassLoader downloaded(@Nullable String codebase, String what)

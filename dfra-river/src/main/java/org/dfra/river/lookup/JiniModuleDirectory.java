@@ -29,6 +29,7 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.proxy.LocalModules;
 import org.jspecify.annotations.Nullable;
 
@@ -77,6 +78,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     super(clock);
     this.settings = settings;
     this.clock = clock;
+    TrustedCode.installUnlessTaken();
     this.sightings = new Sightings(table(), this::locality);
     try {
       this.discovery =
@@ -104,6 +106,13 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   public int registrars() {
     synchronized (watches) {
       return watches.size();
+    }
+  }
+
+  /** The lookup services that are within reach now. */
+  public List<ServiceRegistrar> lookupServices() {
+    synchronized (watches) {
+      return watches.values().stream().map(RegistrarWatch::registrar).toList();
     }
   }
 

@@ -2,24 +2,33 @@ package org.dfra.river.lookup;
 
 import java.io.IOException;
 import java.io.Serializable;
+import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
-import net.jini.lease.LeaseRenewalManager;
 import net.jini.lookup.JoinManager;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
 
+  /** For registrations under way: one that has begun ends within a call's deadline and a bit. */
+  private static final Duration PATIENCE = Duration.ofSeconds(3);
+
   private final Discovery discovery;
   private final JoinManager manager;
+  private final Renewals renewals;
+  private final RegistrationThreads threads;
 
-  private Join(Discovery discovery, JoinManager manager) {
+  private Join(
+      Discovery discovery, JoinManager manager, Renewals renewals, RegistrationThreads threads) {
     this.discovery = discovery;
     this.manager = manager;
+    this.renewals = renewals;
+    this.threads = threads;
   }
 
   /**
@@ -42,18 +51,23 @@ public final class Join implements AutoCloseable {
       List<String> locators,
       Configuration configuration)
       throws IOException, ConfigurationException {
-    Configuration timed = RobotPace.configuration(configuration);
+    RegistrationThreads threads = new RegistrationThreads();
+    Configuration timed =
+        new SuppliedConfiguration(
+            RobotPace.configuration(configuration),
+            Map.of("net.jini.lookup.JoinManager.taskManager", () -> threads));
     Discovery discovery = Discovery.begin(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
-      return new Join(
-          discovery,
+      Renewals renewals = new Renewals(timed);
+      JoinManager manager =
           new JoinManager(
               proxy,
               attributes,
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
-              new LeaseRenewalManager(timed),
-              timed));
+              renewals,
+              timed);
+      return new Join(discovery, manager, renewals, threads);
     } catch (IOException | ConfigurationException | RuntimeException e) {
       discovery.terminate();
       throw e;
@@ -75,10 +89,19 @@ public final class Join implements AutoCloseable {
     manager.setAttributes(attributes);
   }
 
-  /** Takes the module out of every lookup service it joined. */
+  /**
+   * Takes the module out of every lookup service it joined, or was about to join. A registration
+   * under way is awaited for 3 s at the longest, and cancelled when its lookup service grants it.
+   */
   @Override
   public void close() {
+    renewals.close();
     manager.terminate();
     discovery.terminate();
+    try {
+      threads.awaitEnd(PATIENCE);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // the caller is in a hurry; what is granted is cancelled
+    }
   }
 }

@@ -18,6 +18,9 @@ sealed interface Change extends Serializable {
   /** A group got another descriptor. */
   record GroupDescribed(ActivationGroupID group, ActivationGroupDesc desc) implements Change {}
 
+  /** A group, with its objects, got another identity: phoenix came back at another address. */
+  record GroupMoved(ActivationGroupID group, ActivationGroupID to) implements Change {}
+
   /** A group and its objects were forgotten. */
   record GroupUnregistered(ActivationGroupID group) implements Change {}
 

@@ -9,13 +9,13 @@ import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationInstantiator;
+import java.rmi.activation.ActivationSystem;
 import java.rmi.activation.Activator;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.activation.UnknownObjectException;
 import java.rmi.server.UID;
 import java.time.Duration;
 import java.time.InstantSource;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -23,9 +23,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -48,11 +46,7 @@ final class Daemon {
   private final Map<ActivationGroupID, Group> groups = new ConcurrentHashMap<>();
   private final Map<UID, ActivatableObject> objects = new ConcurrentHashMap<>();
 
-  /** One permit for each group that is starting, until it has reported or ended. */
-  private final Semaphore launches;
-
-  /** Read: start a process. Write: know that none is being started. */
-  private final ReentrantReadWriteLock starting = new ReentrantReadWriteLock();
+  private final Launcher launcher;
 
   private final ScheduledExecutorService timer =
       Executors.newSingleThreadScheduledExecutor(task -> thread(task, "phoenix-timer"));
@@ -65,7 +59,7 @@ final class Daemon {
     this.configuration = configuration;
     this.clock = clock;
     this.journal = journal;
-    this.launches = new Semaphore(configuration.groupThrottle());
+    this.launcher = new Launcher(this, configuration, journal);
   }
 
   /**
@@ -73,65 +67,21 @@ final class Daemon {
    * live, and ends those of registered groups that no journal entry knows.
    */
   void recover() {
-    List<Runnable> adoptions = new ArrayList<>();
-    journal.read(
-        registrations -> {
-          registrations.groups.forEach(
-              (id, record) -> {
-                Group group = new Group(this, id, record.name, record.incarnation);
-                groups.put(id, group);
-                if (record.process != null && record.process.isAlive()) {
-                  ProcessIdentity process = record.process;
-                  adoptions.add(() -> adopt(group, process, record));
-                }
-              });
-          registrations.objects.forEach(
-              (uid, desc) -> {
-                Group group = groups.get(desc.getGroupID());
-                if (group != null) {
-                  objects.put(uid, new ActivatableObject(uid, group, desc));
-                }
-              });
-          return null;
-        });
-    adoptions.forEach(Runnable::run);
-    endStrays();
+    recovery().recover();
   }
 
-  private void adopt(Group group, ProcessIdentity process, Registrations.GroupRecord record) {
-    @Nullable ActivationInstantiator known = null;
-    if (record.instantiator != null) {
-      try {
-        known = prepared(record.instantiator.get());
-      } catch (IOException | ClassNotFoundException e) {
-        LOG.warn("The instantiator of group {} cannot be read back: {}", group.name, e.toString());
-      }
-    }
-    group.adopt(process, known, record.leaving);
-    watch(group, process, null);
-    if (record.leaving) {
-      endLater(process);
-    } else if (group.status(0).state() == GroupStatus.State.STARTING) {
-      after(configuration.groupTimeout(), () -> group.endUnlessReported(process));
+  /**
+   * Gives the groups that know phoenix at a former address an identity that names this one. Called
+   * before anybody can ask for a group.
+   */
+  void readdress(ActivationSystem system) {
+    synchronized (groups) {
+      recovery().readdress(system);
     }
   }
 
-  private void endStrays() {
-    GroupProcess.running(journal.<java.util.UUID>read(r -> r.daemon))
-        .filter(
-            found ->
-                groups.values().stream()
-                    .filter(group -> group.name.equals(found.group()))
-                    .anyMatch(group -> group.process().filter(found::isOrIsUnder).isEmpty()))
-        .forEach(
-            found -> {
-              LOG.warn(
-                  "Process {} of group {} is in no journal entry and is ended.",
-                  found.process().pid(),
-                  found.group());
-              found.process().destroy(true);
-              found.process().awaitDeath(configuration.groupTimeout());
-            });
+  private Recovery recovery() {
+    return new Recovery(this, journal, groups, objects);
   }
 
   /** Tells the daemon the activator that its IDs carry. */
@@ -286,64 +236,13 @@ final class Daemon {
 
   // Processes
 
-  /**
-   * Starts a process for an incarnation of a group, when it is its turn: at most so many groups
-   * start at once as configured. The turn ends with {@link #started}.
-   *
-   * @throws IOException if the process cannot be started
-   * @throws ActivationException if it must not be, or cannot be recorded
-   */
-  void launch(Group group, long incarnation) throws IOException, ActivationException {
-    launches.acquireUninterruptibly();
-    starting.readLock().lock();
-    boolean handedOver = false;
-    try {
-      requireRunning();
-      journal.commit(new Change.Launching(group.id, incarnation));
-      ActivationGroupDesc desc = withDefaults(groupDesc(group.id));
-      Process process =
-          GroupProcess.start(
-              journal.<java.util.UUID>read(r -> r.daemon), group.name, desc, configuration);
-      try {
-        ProcessIdentity identity = ProcessIdentity.of(process.toHandle());
-        journal.commit(new Change.Launched(group.id, identity));
-        group.launched(identity);
-        handedOver = true;
-        watch(group, identity, process);
-        after(configuration.groupTimeout(), () -> group.endUnlessReported(identity));
-        GroupProcess.feed(process, group.id, desc, incarnation);
-      } catch (IOException e) {
-        LOG.debug("Group {} ended before it could be told what it is.", group.name, e);
-      } catch (ActivationException | RuntimeException e) {
-        process.destroyForcibly();
-        throw e;
-      }
-    } finally {
-      starting.readLock().unlock();
-      if (!handedOver) {
-        launches.release();
-      }
-    }
+  /** Starts and counts the processes of groups. */
+  Launcher launcher() {
+    return launcher;
   }
 
-  /** A group that was launched starts no more: it has reported, or ended. */
-  void started() {
-    launches.release();
-  }
-
-  private ActivationGroupDesc withDefaults(ActivationGroupDesc desc) throws IOException {
-    boolean custom = desc.getClassName() != null;
-    return new ActivationGroupDesc(
-        custom ? desc.getClassName() : ActivationGroupImpl.class.getName(),
-        custom ? desc.getLocation() : configuration.groupLocation(),
-        desc.getData() != null || configuration.groupConfig() == null
-            ? desc.getData()
-            : new java.rmi.MarshalledObject<>(configuration.groupConfig()),
-        desc.getPropertyOverrides(),
-        desc.getCommandEnvironment());
-  }
-
-  private void watch(Group group, ProcessIdentity identity, @Nullable Process child) {
+  /** Has the group told when its process ends; {@code child} where this phoenix started it. */
+  void watch(Group group, ProcessIdentity identity, @Nullable Process child) {
     if (child != null) {
       child
           .onExit()
@@ -394,7 +293,8 @@ final class Daemon {
     }
   }
 
-  private void after(Duration delay, Runnable task) {
+  /** Runs a task after a delay, on the timer's thread. */
+  void after(Duration delay, Runnable task) {
     if (running) {
       timer.schedule(task, delay.toNanos(), TimeUnit.NANOSECONDS);
     }
@@ -411,7 +311,7 @@ final class Daemon {
   void stop(Duration patience) {
     running = false;
     groups.values().forEach(Group::wake);
-    awaitNoLaunch(patience);
+    launcher.awaitNone(patience);
     List<ProcessIdentity> processes =
         groups.values().stream().flatMap(g -> g.process().stream()).toList();
     processes.forEach(process -> process.destroy(false));
@@ -423,17 +323,6 @@ final class Daemon {
     processes.forEach(process -> process.destroy(true));
     processes.forEach(process -> process.awaitDeath(patience));
     abandon();
-  }
-
-  /** A launch that has begun is completed, so that its process is known; no other begins. */
-  private void awaitNoLaunch(Duration patience) {
-    try {
-      if (starting.writeLock().tryLock(patience.toNanos(), TimeUnit.NANOSECONDS)) {
-        starting.writeLock().unlock();
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
   }
 
   /** Ends the daemon's own threads and closes the journal; the groups' processes live on. */

@@ -131,7 +131,7 @@ final class Group {
     incarnation = mine;
     lock.unlock();
     try {
-      daemon.launch(this, mine);
+      daemon.launcher().launch(this, mine);
     } catch (IOException e) {
       notLaunched("could not be started: " + e.getMessage());
       throw new ActivationException(
@@ -266,7 +266,7 @@ final class Group {
   private void endTurn() {
     if (hasTurn) {
       hasTurn = false;
-      daemon.started();
+      daemon.launcher().started();
     }
   }
 

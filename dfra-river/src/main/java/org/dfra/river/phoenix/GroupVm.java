@@ -11,8 +11,10 @@ import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import net.jini.activation.ActivationGroup;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.GroupClasses;
 import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
 /**
@@ -47,6 +49,7 @@ public final class GroupVm {
       in.close();
       redirectOutput();
       own(Path.of(System.getProperty(GroupProcess.LOCK)));
+      GroupClasses.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {
       end(NOT_TOLD, "Phoenix went away before it said which group to run.");
@@ -57,7 +60,7 @@ public final class GroupVm {
     } catch (ClassNotFoundException e) {
       end(REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
     } catch (RuntimeException | LinkageError e) {
-      e.printStackTrace();
+      LoggerFactory.getLogger(GroupVm.class).error("The group cannot be created.", e);
       end(REFUSED, "The group cannot be created: " + e);
     }
   }

@@ -134,13 +134,14 @@ public final class Phoenix implements AutoCloseable {
     @Nullable Registry open =
         configuration.registryPort() < 0 ? null : readOnlyRegistry(configuration.registryPort());
     registry = open;
-    // The activator first: whoever registers an object gets an ID with it.
-    Activator activator = (Activator) export(configuration.activatorExporter(), activatorService);
-    daemon.exported(activator);
     ActivationMonitor monitor =
         (ActivationMonitor) export(configuration.monitorExporter(), monitorService);
     ActivationSystem system =
         (ActivationSystem) export(configuration.systemExporter(), systemService);
+    // Before the activator: a group that is about to be started must be told the right address.
+    daemon.readdress(system);
+    daemon.exported((Activator) export(configuration.activatorExporter(), activatorService));
+    // Last, since callers of the system wait for it: they shall find groups and activator settled.
     systemService.exported(system, monitor);
     if (open != null) {
       open.rebind(SYSTEM_NAME, system);

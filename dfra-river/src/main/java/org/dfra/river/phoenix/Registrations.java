@@ -54,6 +54,8 @@ final class Registrations implements Serializable {
       nextNumber++;
     } else if (change instanceof Change.GroupDescribed c) {
       group(c.group()).desc = c.desc();
+    } else if (change instanceof Change.GroupMoved c) {
+      move(c.group(), c.to());
     } else if (change instanceof Change.GroupUnregistered c) {
       groups.remove(c.group());
       objects.values().removeIf(desc -> desc.getGroupID().equals(c.group()));
@@ -78,6 +80,18 @@ final class Registrations implements Serializable {
     }
   }
 
+  private void move(ActivationGroupID from, ActivationGroupID to) {
+    Map<ActivationGroupID, GroupRecord> before = new LinkedHashMap<>(groups);
+    groups.clear(); // in the same order again
+    before.forEach((id, record) -> groups.put(id.equals(from) ? to : id, record));
+    objects.replaceAll((uid, desc) -> desc.getGroupID().equals(from) ? inGroup(desc, to) : desc);
+  }
+
+  private static ActivationDesc inGroup(ActivationDesc desc, ActivationGroupID group) {
+    return new ActivationDesc(
+        group, desc.getClassName(), desc.getLocation(), desc.getData(), desc.getRestartMode());
+  }
+
   /**
    * Refuses a change of a group that is not registered. Once written, it would spoil the journal
    * for every reader to come.
@@ -93,6 +107,8 @@ final class Registrations implements Serializable {
 
   private static @Nullable ActivationGroupID groupOf(Change change) {
     if (change instanceof Change.GroupDescribed c) {
+      return c.group();
+    } else if (change instanceof Change.GroupMoved c) {
       return c.group();
     } else if (change instanceof Change.GroupUnregistered c) {
       return c.group();

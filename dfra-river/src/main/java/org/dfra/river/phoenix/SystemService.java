@@ -19,7 +19,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
   private final Daemon daemon;
   private final LocalAccess access;
   private final Runnable shutdown;
-  // A caller may be quicker than the daemon's own start: it waits for what is exported last.
+  // A caller may be quicker than the daemon's own start: it waits until everything is exported.
   private final CompletableFuture<ActivationSystem> self = new CompletableFuture<>();
   private final CompletableFuture<ActivationMonitor> monitor = new CompletableFuture<>();
 
@@ -27,6 +27,12 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
     this.daemon = daemon;
     this.access = access;
     this.shutdown = shutdown;
+  }
+
+  /** Lets a caller of this machine in, as soon as phoenix is ready for it. */
+  private ActivationSystem admit(String what) throws RemoteException {
+    access.check(what);
+    return self.join();
   }
 
   /** Tells the service its own proxy and the monitor's, when both are exported. */
@@ -38,26 +44,25 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
   @Override
   public ActivationGroupID registerGroup(ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
-    access.check("registerGroup");
-    return daemon.registerGroup(new ActivationGroupID(self.join()), desc);
+    return daemon.registerGroup(new ActivationGroupID(admit("registerGroup")), desc);
   }
 
   @Override
   public ActivationID registerObject(ActivationDesc desc)
       throws ActivationException, RemoteException {
-    access.check("registerObject");
+    admit("registerObject");
     return daemon.activationID(daemon.registerObject(desc));
   }
 
   @Override
   public void unregisterObject(ActivationID id) throws ActivationException, RemoteException {
-    access.check("unregisterObject");
+    admit("unregisterObject");
     daemon.unregisterObject(ActivatorService.object(daemon, id).uid);
   }
 
   @Override
   public void unregisterGroup(ActivationGroupID id) throws ActivationException, RemoteException {
-    access.check("unregisterGroup");
+    admit("unregisterGroup");
     daemon.unregisterGroup(id);
   }
 
@@ -65,7 +70,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
   public ActivationMonitor activeGroup(
       ActivationGroupID id, ActivationInstantiator group, long incarnation)
       throws ActivationException, RemoteException {
-    access.check("activeGroup");
+    admit("activeGroup");
     daemon.group(id).reported(daemon.prepared(group), incarnation);
     return monitor.join();
   }
@@ -73,53 +78,53 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
   @Override
   public ActivationDesc setActivationDesc(ActivationID id, ActivationDesc desc)
       throws ActivationException, RemoteException {
-    access.check("setActivationDesc");
+    admit("setActivationDesc");
     return daemon.describeObject(ActivatorService.object(daemon, id).uid, desc);
   }
 
   @Override
   public ActivationGroupDesc setActivationGroupDesc(ActivationGroupID id, ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
-    access.check("setActivationGroupDesc");
+    admit("setActivationGroupDesc");
     return daemon.describeGroup(id, desc);
   }
 
   @Override
   public ActivationDesc getActivationDesc(ActivationID id)
       throws ActivationException, RemoteException {
-    access.check("getActivationDesc");
+    admit("getActivationDesc");
     return ActivatorService.object(daemon, id).desc();
   }
 
   @Override
   public ActivationGroupDesc getActivationGroupDesc(ActivationGroupID id)
       throws ActivationException, RemoteException {
-    access.check("getActivationGroupDesc");
+    admit("getActivationGroupDesc");
     return daemon.groupDesc(id);
   }
 
   @Override
   public void shutdown() throws RemoteException {
-    access.check("shutdown");
+    admit("shutdown");
     shutdown.run();
   }
 
   @Override
   public Map<ActivationGroupID, ActivationGroupDesc> getActivationGroups() throws RemoteException {
-    access.check("getActivationGroups");
+    admit("getActivationGroups");
     return daemon.groupDescs();
   }
 
   @Override
   public Map<ActivationID, ActivationDesc> getActivatableObjects(ActivationGroupID id)
       throws java.rmi.activation.UnknownGroupException, RemoteException {
-    access.check("getActivatableObjects");
+    admit("getActivatableObjects");
     return daemon.objectDescs(id);
   }
 
   @Override
   public List<GroupStatus> groupStatus() throws RemoteException {
-    access.check("groupStatus");
+    admit("groupStatus");
     return daemon.status();
   }
 }

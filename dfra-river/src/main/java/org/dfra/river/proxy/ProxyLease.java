@@ -4,11 +4,11 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import net.jini.core.lease.Lease;
-import org.dfra.core.time.Scheduler;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
 import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.RemoteModule;
+import org.dfra.time.Scheduler;
 
 /** A client's lease on a module elsewhere, kept by a {@link Tenure}. */
 final class ProxyLease implements ModuleLease {

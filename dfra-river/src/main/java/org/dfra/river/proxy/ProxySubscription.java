@@ -11,20 +11,20 @@ import java.util.concurrent.ConcurrentHashMap;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.core.event.DeliveryPool;
-import org.dfra.core.event.ListenerQueue;
-import org.dfra.core.event.Tally;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.event.delivery.Tally;
 import org.dfra.river.call.CallbackHost;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.remote.LeasedSubscription;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
+import org.dfra.time.Scheduler;
 
 /**
  * A local listener's tie to a module elsewhere.

@@ -1,5 +1,6 @@
 package org.dfra.river.proxy;
 
+import java.lang.System.Logger.Level;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
@@ -11,13 +12,11 @@ import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
-import org.dfra.core.time.Scheduler;
-import org.dfra.core.time.Scheduler.Task;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.remote.LeaseRevokedException;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.Task;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * Keeps a lease at a server for as long as its owner wants: renews it, and where the server has
@@ -37,8 +36,10 @@ final class Tenure implements AutoCloseable {
     Lease register() throws RemoteException, LeaseRefusedException;
   }
 
-  private static final long PERIOD_MILLIS = 1000;
-  private static final Logger LOG = LoggerFactory.getLogger(Tenure.class);
+  /** With the usual deadline of 2 s, a server that falls silent is noticed within 3 s. */
+  private static final long PERIOD_MILLIS = 800;
+
+  private static final System.Logger LOG = System.getLogger(Tenure.class.getName());
   private static final AtomicInteger NAMES = new AtomicInteger();
   private static final ThreadPoolExecutor CALLERS =
       new ThreadPoolExecutor(
@@ -165,7 +166,7 @@ final class Tenure implements AutoCloseable {
         | java.rmi.NoSuchObjectException
         | java.rmi.ConnectException
         | java.rmi.ConnectIOException e) {
-      LOG.debug("{}: the lease is gone: {}", what, e.toString());
+      LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + e);
       return false;
     }
   }
@@ -181,20 +182,21 @@ final class Tenure implements AutoCloseable {
     if (tooLate) {
       giveBack(fresh);
     } else {
-      LOG.info("{}: registered anew", what);
+      LOG.log(Level.INFO, () -> what + ": registered anew");
     }
   }
 
   private synchronized void revoked(LeaseRevokedException e) {
     if (!closed) {
       closed = true;
-      LOG.info("{}: ended: {}", what, e.getMessage());
+      LOG.log(Level.INFO, () -> what + ": ended: " + e.getMessage());
     }
   }
 
   private synchronized void reached() {
     if (interruptedSince != null) {
-      LOG.info("{}: back after {}", what, Duration.between(interruptedSince, Instant.now()));
+      Duration gap = Duration.between(interruptedSince, Instant.now());
+      LOG.log(Level.INFO, () -> what + ": back after " + gap);
       interruptedSince = null;
     }
   }
@@ -202,7 +204,7 @@ final class Tenure implements AutoCloseable {
   private synchronized void missed(Exception e) {
     if (interruptedSince == null && !closed) {
       interruptedSince = Instant.now();
-      LOG.warn("{}: interrupted, trying again until it is closed: {}", what, e.toString());
+      LOG.log(Level.WARNING, () -> what + ": interrupted, trying again until it is closed: " + e);
     }
   }
 
@@ -210,7 +212,7 @@ final class Tenure implements AutoCloseable {
     try {
       last.cancel();
     } catch (UnknownLeaseException | RemoteException e) {
-      LOG.debug("{}: the lease ends by itself: {}", what, e.toString());
+      LOG.log(Level.DEBUG, () -> what + ": the lease ends by itself: " + e);
     }
   }
 }

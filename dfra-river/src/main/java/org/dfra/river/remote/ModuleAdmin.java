@@ -3,6 +3,7 @@ package org.dfra.river.remote;
 import com.sun.jini.admin.DestroyAdmin;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
+import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import net.jini.admin.JoinAdmin;
@@ -35,6 +36,14 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * is done.
    */
   void deactivate() throws RemoteException;
+
+  /**
+   * The time by the clock of the module's host, for those who compare clocks.
+   *
+   * @return UTC
+   */
+  @Idempotent
+  Instant clock() throws RemoteException;
 
   /**
    * {@inheritDoc}

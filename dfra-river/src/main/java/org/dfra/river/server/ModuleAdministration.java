@@ -7,6 +7,7 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
@@ -39,7 +40,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private final LeaseBook leases;
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
-  private final AutoCloseable server;
+  private final Runnable closing;
   private final Exporter exporter;
   private @Nullable Remote stub; // guarded by this
 
@@ -47,7 +48,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
    * @param leases the leases on the module
    * @param id the server's activation ID; null where no activation system made it
    * @param serverExporter the exporter of the server
-   * @param server closes the server
+   * @param closing closes the server; may throw an {@link IllegalStateException}
    */
   ModuleAdministration(
       ModulePresence presence,
@@ -55,12 +56,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
-      AutoCloseable server) {
+      Runnable closing) {
     this.presence = presence;
     this.leases = leases;
     this.id = id;
     this.serverExporter = serverExporter;
-    this.server = server;
+    this.closing = closing;
     this.exporter = Exporters.jeri(host, DEADLINE_MILLIS);
   }
 
@@ -157,6 +158,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   @Override
+  public Instant clock() {
+    return Instant.now();
+  }
+
+  @Override
   public List<LeaseStatus> leases() {
     return leases.leases();
   }
@@ -191,8 +197,8 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   private void end() throws RemoteException {
     try {
-      server.close();
-    } catch (Exception e) {
+      closing.run();
+    } catch (IllegalStateException e) {
       LOG.warn("A module did not end cleanly: {}", e.toString(), e);
     }
     if (id != null) {

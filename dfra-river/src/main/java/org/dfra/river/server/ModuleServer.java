@@ -28,7 +28,6 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -48,6 +47,7 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -131,9 +131,9 @@ public abstract class ModuleServer<M extends Module>
       undo.push(presence);
       this.administration =
           new ModuleAdministration(
-              presence, driver.leases(), activation.host(), id, exporter, this);
+              presence, driver.leases(), activation.host(), id, exporter, this::close);
       undo.push(administration);
-    } catch (Exception e) {
+    } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
       ConfigurationException fault = placed(description, e);
       undoAll(fault);
       throw fault;
@@ -302,7 +302,7 @@ public abstract class ModuleServer<M extends Module>
       while (!undo.isEmpty()) {
         try {
           undo.pop().close();
-        } catch (Exception e) {
+        } catch (Exception e) { // as AutoCloseable declares it; the rest must be undone
           reason.addSuppressed(e);
         }
       }

@@ -33,6 +33,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.constraint.BasicMethodConstraints;
 import net.jini.core.constraint.Integrity;
@@ -62,12 +63,17 @@ class ResurrectingHandlerTest {
     final String name;
     private final List<Throwable> failures;
     private final MethodConstraints constraints;
-    private int calls;
+    private AtomicInteger calls = new AtomicInteger();
 
     Live(String name, MethodConstraints constraints, Throwable... failures) {
       this.name = name;
       this.constraints = constraints;
       this.failures = new ArrayList<>(Arrays.asList(failures));
+    }
+
+    /** How often it was called, under whatever constraints. */
+    int calls() {
+      return calls.get();
     }
 
     @Override
@@ -84,11 +90,12 @@ class ResurrectingHandlerTest {
         case "setConstraints":
           Live constrained = new Live(name, (MethodConstraints) args[0]);
           constrained.failures.addAll(failures);
+          constrained.calls = calls;
           return proxyOf(constrained);
         case "getConstraints":
           return constraints;
         default:
-          calls++;
+          calls.incrementAndGet();
           if (!failures.isEmpty()) {
             throw failures.remove(0);
           }
@@ -361,6 +368,117 @@ class ResurrectingHandlerTest {
     assertThatExceptionOfType(ConnectIOException.class)
         .isThrownBy(service::read)
         .withMessageContaining("the activation system did not answer");
+  }
+
+  private void activatorIsOutOfReach() {
+    id.activating =
+        force -> {
+          throw new ConnectException("nobody there");
+        };
+  }
+
+  @Test
+  void withoutAnActivatorALinkThatCameBackServesTheSameCall() throws Exception {
+    activatorIsOutOfReach();
+    ConnectException cut = new ConnectException("cut");
+    assertThat(proxy(live("alive", cut)).change())
+        .as("a command that has not run")
+        .isEqualTo("alive");
+    assertThat(proxy(live("alive", new UnmarshalException("cut"))).read())
+        .as("a question that may have run")
+        .isEqualTo("alive");
+  }
+
+  @Test
+  void withoutAnActivatorTheProxyThatFailedIsTriedByTheNextCall() throws Exception {
+    activatorIsOutOfReach();
+    for (RemoteException end :
+        List.of(new DeadlineExceededException("late"), new UnmarshalException("cut"))) {
+      Service service = proxy(live("alive", end));
+      assertThatExceptionOfType(end.getClass()).isThrownBy(service::change).isSameAs(end);
+      id.asked.clear();
+      assertThat(service.change()).as("the call after %s", end).isEqualTo("alive");
+      assertThat(id.asked).as("activations before it").containsExactly(false);
+      assertThat(service.change()).isEqualTo("alive");
+      assertThat(id.asked).as("what answered is trusted again").hasSize(1);
+    }
+  }
+
+  @Test
+  void withoutAnActivatorWhatTheObjectItselfThrowsIsAnAnswer() {
+    activatorIsOutOfReach();
+    IllegalStateException own = new IllegalStateException("its own");
+    Service service = proxy(live("alive", new DeadlineExceededException("late"), own, own));
+    assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::change);
+    assertThatExceptionOfType(IllegalStateException.class)
+        .isThrownBy(service::change)
+        .isSameAs(own);
+    assertThatExceptionOfType(IllegalStateException.class)
+        .isThrownBy(service::change)
+        .isSameAs(own);
+    assertThat(id.asked).as("what answered is trusted again").hasSize(1);
+  }
+
+  @Test
+  void withoutAnActivatorACommandIsNeverSentAgainOnceItMayHaveRun() throws Exception {
+    activatorIsOutOfReach();
+    UnmarshalException broke = new UnmarshalException("cut on the way back");
+    Live alive = new Live("alive", null, new ConnectException("cut"), broke);
+    Service service = proxy(proxyOf(alive));
+    assertThatExceptionOfType(UnmarshalException.class).isThrownBy(service::change).isSameAs(broke);
+    assertThat(alive.calls()).as("one that did not run, one that may have").isEqualTo(2);
+  }
+
+  @Test
+  void withoutAnActivatorADeadObjectIsReportedWithBothReasons() {
+    activatorIsOutOfReach();
+    ConnectException refused = new ConnectException("refused");
+    Live dead = new Live("dead", null, refused, refused, refused);
+    assertThatExceptionOfType(ConnectException.class)
+        .isThrownBy(() -> proxy(proxyOf(dead)).read())
+        .withMessageContaining("the activation system cannot be reached")
+        .satisfies(told -> assertThat(told.getSuppressed()).containsExactly(refused));
+    assertThat(dead.calls()).isEqualTo(2);
+
+    NoSuchObjectException no = new NoSuchObjectException("no such object");
+    Live closed = new Live("closed", null, no, no);
+    assertThatExceptionOfType(ConnectException.class)
+        .isThrownBy(() -> proxy(proxyOf(closed)).read())
+        .satisfies(told -> assertThat(told.getSuppressed()).containsExactly(no));
+    assertThat(closed.calls()).as("who says no is not asked again").isEqualTo(1);
+  }
+
+  @Test
+  void silentActivatorKeepsNobodyFromAnObjectThatLives() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    id.activating =
+        force -> {
+          await("the end of the test").forever().until(() -> never.getCount() == 0);
+          throw new DeadlineExceededException("no answer");
+        };
+    try {
+      Service service = proxy(live("alive", new DeadlineExceededException("late")));
+      assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::change);
+      assertThat(service.change()).isEqualTo("alive");
+      assertThat(never.getCount()).as("the activator has not answered").isEqualTo(1);
+    } finally {
+      never.countDown();
+    }
+  }
+
+  @Test
+  void slowActivatorIsWaitedForWhereTheObjectIsDead() throws Exception {
+    Live dead =
+        new Live("dead", null, new DeadlineExceededException("late"), new ConnectException("x"));
+    id.activating =
+        force -> {
+          await("the last proxy is tried").until(() -> dead.calls() == 2);
+          return ResurrectingExporter.proxy(id, live("new"));
+        };
+    Service service = proxy(proxyOf(dead));
+    assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::change);
+    assertThat(service.change()).isEqualTo("new");
+    assertThat(id.asked).containsExactly(false);
   }
 
   @Test

@@ -167,6 +167,14 @@ class GraphFilterTest {
   }
 
   @Test
+  void allowsTheNameOfAForeignInterfaceOfWhichNothingIsMade() throws Exception {
+    Class<?> kind = payload.loader().loadClass("elsewhere.Payload$Kind");
+    assertThat(read(Payload.bytes(kind))).isEqualTo(kind);
+    assertRefused(Payload.bytes(payload.object().getClass()))
+        .hasMessageContaining("refused to read a elsewhere.Payload: it is not among");
+  }
+
+  @Test
   void saysWhichConfigurationIsWrong() {
     for (String pattern : List.of("*", "**", "a..b", "com.*.x", "a b")) {
       assertThatThrownBy(() -> AllowedTypes.parse(pattern))

@@ -37,6 +37,7 @@ final class Payload {
         public static class Handler extends Payload implements InvocationHandler {
           public Object invoke(Object p, Method m, Object[] a) { return ran(0); }
         }
+        public interface Kind {}
         public int compare(Object a, Object b) { return ran(0); }
         public int hashCode() { return ran(1); }
         private void readObject(ObjectInputStream in) { ran(0); }

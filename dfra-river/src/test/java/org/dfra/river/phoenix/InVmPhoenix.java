@@ -27,7 +27,7 @@ final class InVmPhoenix implements AutoCloseable {
   static final Duration PATIENCE = Duration.ofSeconds(15);
 
   final Path folder;
-  final int port;
+  private int port;
   private final String idle;
   private Phoenix phoenix;
 
@@ -70,6 +70,12 @@ final class InVmPhoenix implements AutoCloseable {
             + String.join(" ", entries)
             + "}";
     phoenix = Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0]));
+    return this;
+  }
+
+  /** Its next start is at another address. */
+  InVmPhoenix moves() throws IOException {
+    port = freePort();
     return this;
   }
 

@@ -2,6 +2,7 @@ package org.dfra.river.phoenix;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.Serializable;
 import java.nio.file.Path;
@@ -39,6 +40,50 @@ class RegistrationTest {
   @AfterEach
   void end() {
     phoenix.close();
+  }
+
+  @Test
+  void groupsAreToldPhoenixsNewAddress() throws Exception {
+    ActivationGroupID stays = system.registerGroup(named("first"));
+    ActivationGroupID group = system.registerGroup(named("gps"));
+    ActivationDesc desc =
+        new ActivationDesc(group, "a.B", null, new MarshalledObject<>("x"), false);
+    ActivationID object = system.registerObject(desc);
+    List<GroupStatus> before = phoenix.admin().groupStatus();
+
+    for (int move = 1; move <= 2; move++) {
+      phoenix.close();
+      phoenix.moves().start();
+      system = phoenix.system();
+      Map<ActivationGroupID, ActivationGroupDesc> groups = phoenix.admin().getActivationGroups();
+
+      assertThat(phoenix.admin().groupStatus())
+          .extracting(GroupStatus::name, GroupStatus::incarnation, GroupStatus::objects)
+          .as("after move %d", move)
+          .containsExactlyElementsOf(
+              before.stream().map(g -> tuple(g.name(), g.incarnation(), g.objects())).toList());
+      assertThat(groups).hasSize(2).doesNotContainKeys(stays, group).containsValue(named("gps"));
+      ActivationGroupID moved = List.copyOf(groups.keySet()).get(1);
+      assertThat(moved.getSystem()).isEqualTo(List.copyOf(groups.keySet()).get(0).getSystem());
+      assertThat(moved.getSystem().getActivationGroupDesc(moved))
+          .as("asked through the identity's own system")
+          .isEqualTo(named("gps"));
+      assertThat(phoenix.admin().getActivatableObjects(moved).values())
+          .containsExactly(new ActivationDesc(moved, "a.B", null, desc.getData(), false));
+      assertThatExceptionOfType(UnknownGroupException.class)
+          .isThrownBy(() -> system.getActivationGroupDesc(group));
+      assertThat(system.getActivationDesc(object).getGroupID())
+          .as("an object keeps its identity")
+          .isEqualTo(moved);
+    }
+  }
+
+  @Test
+  void groupsKeepTheirIdentityWherePhoenixKeepsItsAddress() throws Exception {
+    ActivationGroupID group = system.registerGroup(named("gps"));
+    phoenix.close();
+    phoenix.start();
+    assertThat(phoenix.admin().getActivationGroups()).isEqualTo(Map.of(group, named("gps")));
   }
 
   @Test

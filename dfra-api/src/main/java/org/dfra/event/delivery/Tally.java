@@ -1,4 +1,4 @@
-package org.dfra.core.event;
+package org.dfra.event.delivery;
 
 import java.rmi.RemoteException;
 import java.util.Arrays;

@@ -1,14 +1,13 @@
-package org.dfra.core.event;
+package org.dfra.event.delivery;
 
+import java.lang.System.Logger.Level;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
-import org.dfra.core.time.Scheduler;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * What waits for one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is under
@@ -19,7 +18,7 @@ public final class ListenerQueue implements AutoCloseable {
   /** For a listener that is never given up, whatever it throws. */
   public static final int NEVER = Integer.MAX_VALUE;
 
-  private static final Logger LOG = LoggerFactory.getLogger(ListenerQueue.class);
+  private static final System.Logger LOG = System.getLogger(ListenerQueue.class.getName());
   private static final double NANOS_PER_SECOND = 1e9;
 
   private final ModuleListener listener;
@@ -173,11 +172,15 @@ public final class ListenerQueue implements AutoCloseable {
       return true;
     }
     if (givenUp) {
-      LOG.info(
-          "{}: a listener is given up after {} failures: {}", delivery.module(), failures, failure);
+      LOG.log(
+          Level.INFO,
+          "{0}: a listener is given up after {1} failures: {2}",
+          delivery.module(),
+          failures,
+          failure);
     } else if (!failure.equals(lastFailure)) {
       lastFailure = failure;
-      LOG.warn("{}: a listener failed: {}", delivery.module(), failure, e);
+      LOG.log(Level.WARNING, delivery.module() + ": a listener failed: " + failure, e);
     }
     return !givenUp;
   }

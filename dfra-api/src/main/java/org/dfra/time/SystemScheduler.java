@@ -1,16 +1,15 @@
-package org.dfra.core.time;
+package org.dfra.time;
 
+import java.lang.System.Logger.Level;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** The computer's monotonic time, and the one timer thread of this virtual machine. */
 enum SystemScheduler implements Scheduler {
   INSTANCE;
 
-  private static final Logger LOG = LoggerFactory.getLogger(Scheduler.class);
+  private static final System.Logger LOG = System.getLogger(Scheduler.class.getName());
 
   private final ScheduledThreadPoolExecutor timer =
       new ScheduledThreadPoolExecutor(
@@ -41,7 +40,7 @@ enum SystemScheduler implements Scheduler {
     try {
       task.run();
     } catch (RuntimeException | Error e) {
-      LOG.error("a task of the timer failed: {}", e.toString(), e);
+      LOG.log(Level.ERROR, "a task of the timer failed: " + e, e);
       throw e;
     }
   }

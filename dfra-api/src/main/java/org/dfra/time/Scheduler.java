@@ -1,4 +1,4 @@
-package org.dfra.core.time;
+package org.dfra.time;
 
 /**
  * Time for what must happen later: a count of nanoseconds that nobody sets, and a way to be called

@@ -1,5 +1,5 @@
 /** Time for logic that waits; passed in, so that tests step it. */
 @NullMarked
-package org.dfra.core.time;
+package org.dfra.time;
 
 import org.jspecify.annotations.NullMarked;

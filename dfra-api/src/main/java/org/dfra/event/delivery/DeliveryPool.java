@@ -1,15 +1,14 @@
-package org.dfra.core.event;
+package org.dfra.event.delivery;
 
+import java.lang.System.Logger.Level;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dfra.core.time.Scheduler;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * The threads on which listeners are told.
@@ -22,7 +21,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class DeliveryPool {
 
-  private static final Logger LOG = LoggerFactory.getLogger(DeliveryPool.class);
+  private static final System.Logger LOG = System.getLogger(DeliveryPool.class.getName());
   private static final long BLOCKED_MILLIS = 2;
   private static final long BLOCKED_NANOS = TimeUnit.MILLISECONDS.toNanos(BLOCKED_MILLIS);
   private static final long IDLE_SECONDS = 10;
@@ -62,7 +61,7 @@ public final class DeliveryPool {
   }
 
   /** How many threads there are. */
-  int threads() {
+  public int threads() {
     return workers.size();
   }
 
@@ -125,7 +124,7 @@ public final class DeliveryPool {
           serve(turn);
         }
       } catch (InterruptedException e) {
-        LOG.warn("{} was interrupted and ends", getName());
+        LOG.log(Level.WARNING, "{0} was interrupted and ends", getName());
       } finally {
         workers.remove(this);
         replaceBlocked(); // a turn may have come while this one was ending
@@ -138,7 +137,7 @@ public final class DeliveryPool {
       try {
         turn.run();
       } catch (RuntimeException | Error e) {
-        LOG.error("a delivery failed in the delivery itself: {}", e.toString(), e);
+        LOG.log(Level.ERROR, "a delivery failed in the delivery itself: " + e, e);
       } finally {
         busy = false;
       }

@@ -1,0 +1,52 @@
+package org.dfra.app;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.dfra.app.terminal.Called;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+
+/**
+ * The verbs that the script {@code ./dfra} of a checkout does by itself: they compile, or run what
+ * compiles. What is installed has none of them.
+ */
+public final class ScriptVerbs {
+
+  private ScriptVerbs() {}
+
+  /** The verbs' names; none where DFRA is installed. */
+  static List<String> names() {
+    return Called.isInstalled() ? List.of() : List.of("dist", "test");
+  }
+
+  /** What the help of the command line tells of them. */
+  static String[] help() {
+    return names().isEmpty()
+        ? new String[0]
+        : new String[] {
+          "",
+          "Also, by the script itself:",
+          "  dist   Packs what runs on a computer with only a Java runtime.",
+          "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
+        };
+  }
+
+  /** Adds them to a command line that is asked what there is, not run. */
+  public static void addTo(CommandLine line) {
+    for (String name : names()) {
+      CommandSpec spec = CommandSpec.create();
+      if (name.equals("test")) {
+        Stream.of("--full", "--integration").forEach(option -> spec.addOption(option(option)));
+        spec.addOption(
+            OptionSpec.builder("--java").paramLabel("HOME").type(java.io.File.class).build());
+      }
+      spec.addOption(option("--help"));
+      line.addSubcommand(name, spec);
+    }
+  }
+
+  private static OptionSpec option(String name) {
+    return OptionSpec.builder(name).type(boolean.class).build();
+  }
+}

@@ -1,0 +1,5 @@
+/** Completion of {@code ./dfra} in shells. */
+@NullMarked
+package org.dfra.app.completion;
+
+import org.jspecify.annotations.NullMarked;

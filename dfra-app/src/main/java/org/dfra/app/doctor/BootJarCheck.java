@@ -1,0 +1,57 @@
+package org.dfra.app.doctor;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/** Whether the boot loader, and no other, defines {@code java.rmi.activation}. */
+final class BootJarCheck implements Check {
+
+  private static final String PROBE = "java.rmi.activation.ActivationID";
+  private static final String MEND =
+      "Start it by the script dfra, or give the JVM -Xbootclasspath/a: with dfra-activation.jar.";
+
+  /** Finds a class by its name. */
+  interface Classes {
+    Class<?> named(String name) throws ClassNotFoundException;
+  }
+
+  private final Classes classes;
+  private final Optional<String> jar;
+
+  /**
+   * @param classes where the class is looked for
+   * @param jar the jar that the launcher has put on the boot class path, where it tells
+   */
+  BootJarCheck(Classes classes, Optional<String> jar) {
+    this.classes = classes;
+    this.jar = jar;
+  }
+
+  /** What this process has. */
+  static BootJarCheck ofThisProcess() {
+    return new BootJarCheck(Class::forName, Optional.ofNullable(System.getProperty("dfra.boot")));
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.BOOT_JAR;
+  }
+
+  @Override
+  public List<Finding> examine() {
+    try {
+      @Nullable ClassLoader loader = classes.named(PROBE).getClassLoader();
+      return List.of(
+          loader == null
+              ? Finding.ok(
+                  subject(), "java.rmi.activation comes from " + jar.orElse("the boot class path"))
+              : Finding.fail(
+                  subject(),
+                  "java.rmi.activation is on the class path, not on the boot class path",
+                  MEND));
+    } catch (ClassNotFoundException e) {
+      return List.of(Finding.fail(subject(), "there is no java.rmi.activation", MEND));
+    }
+  }
+}

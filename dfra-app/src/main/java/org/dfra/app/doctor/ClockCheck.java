@@ -1,0 +1,82 @@
+package org.dfra.app.doctor;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** How far the robots' clocks are off this computer's. */
+final class ClockCheck implements Check {
+
+  /** A robot drives a hand's breadth meanwhile: what others report is then seen elsewhere. */
+  private static final Duration DISTURBS = Duration.ofMillis(100);
+
+  /** A drive command that is older is a stop. */
+  private static final Duration BREAKS = Duration.ofMillis(500);
+
+  /**
+   * A robot's clock.
+   *
+   * @param robot its name
+   * @param offset what was measured; null where none of its modules answered
+   */
+  record Measured(String robot, @Nullable ClockOffset offset) {}
+
+  /** Measures the clocks of all robots that are found. */
+  interface Clocks {
+    List<Measured> measure() throws InterruptedException;
+  }
+
+  private final Clocks clocks;
+
+  ClockCheck(Clocks clocks) {
+    this.clocks = clocks;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.CLOCK;
+  }
+
+  @Override
+  public List<Finding> examine() throws InterruptedException {
+    List<Finding> findings = new ArrayList<>();
+    for (Measured each : clocks.measure()) {
+      findings.add(of(each));
+    }
+    return findings;
+  }
+
+  private Finding of(Measured measured) {
+    @Nullable ClockOffset offset = measured.offset();
+    if (offset == null) {
+      return Finding.warn(
+          subject(),
+          "none of " + measured.robot() + "'s modules tells its clock",
+          "See how they are: ./dfra module list.");
+    }
+    if (offset.atLeast().isZero()) {
+      return Finding.ok(
+          subject(),
+          measured.robot()
+              + "'s clock agrees with this computer's, ± "
+              + Milliseconds.of(offset.uncertainty()));
+    }
+    String what =
+        measured.robot()
+            + "'s clock is "
+            + Milliseconds.of(offset.offset().abs())
+            + (offset.offset().isNegative() ? " behind" : " ahead of")
+            + " this computer's, ± "
+            + Milliseconds.of(offset.uncertainty());
+    String mend =
+        "Have both follow one time server, with chrony say; on a field without a network let one"
+            + " of the robots be it.";
+    if (offset.atLeast().compareTo(BREAKS) > 0) {
+      return Finding.fail(subject(), what, mend);
+    }
+    return offset.atLeast().compareTo(DISTURBS) > 0
+        ? Finding.warn(subject(), what, mend)
+        : Finding.ok(subject(), what);
+  }
+}

@@ -1,0 +1,155 @@
+package org.dfra.app.doctor;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.Callable;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.phoenix.GroupStatus;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra doctor}. */
+@Command(
+    name = "doctor",
+    description = "Tells what is wrong with this computer and the team it sees, and what to do.",
+    footer = {
+      "",
+      "It changes nothing. Ends with 1 where something fails; a warning is no",
+      "failure. docs/troubleshooting.md has a section for each finding."
+    })
+public final class DoctorCommand implements Callable<Integer> {
+
+  /** A phoenix that does not answer on its own host within this time has been stopped, or hangs. */
+  private static final Duration DEADLINE = Duration.ofSeconds(2);
+
+  private static final int OF_PHOENIX = 2;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions team;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** A finding as it is told to programs. */
+  record Told(String subject, String verdict, String what, @Nullable String mend) {}
+
+  /**
+   * All findings.
+   *
+   * @param well whether none is a failure
+   */
+  record Report(boolean well, List<Told> findings) {}
+
+  @Override
+  public Integer call() throws Exception {
+    List<Finding> findings = examine();
+    boolean well = findings.stream().noneMatch(each -> each.verdict() == Verdict.FAIL);
+    Answer answer = team.answer();
+    if (answer.isJson()) {
+      answer.outline(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
+    } else {
+      Ansi ansi = spec.commandLine().getColorScheme().ansi();
+      new Telling(ansi).of(findings).forEach(line -> answer.line(line, line));
+    }
+    return well ? ExitCode.WELL : ExitCode.FAILED;
+  }
+
+  private List<Finding> examine() throws IOException, InterruptedException {
+    PhoenixProcess phoenix = team.phoenix();
+    List<Check> checks = new ArrayList<>();
+    checks.add(JavaCheck.ofThisProcess());
+    checks.add(BootJarCheck.ofThisProcess());
+    checks.add(FileDescriptorCheck.ofThisProcess());
+    checks.add(HostCheck.ofThisComputer(team.wantedHost()));
+    checks.add(new MulticastCheck(new JiniMulticast(), team.groups()));
+    checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
+    checks.add(StateCheck.of(team.state()));
+    checks.add(new PhoenixCheck(asked(phoenix)));
+    try (TeamSurvey survey = TeamSurvey.open(team)) {
+      boolean isRobotUp = phoenix.pid().isPresent();
+      checks.add(new RegistrarCheck(survey, team.namedLocators(), isRobotUp));
+      checks.add(new ClockCheck(survey));
+      return Examination.of(checks);
+    } catch (ConfigurationException | IOException e) {
+      List<Finding> findings = new ArrayList<>(Examination.of(checks));
+      findings.add(
+          Finding.fail(
+              Subject.REGISTRAR, e, "Mend that; no lookup service can be looked for before."));
+      return findings;
+    }
+  }
+
+  /** The ports that phoenix and the robots of this host need, or else what they usually are. */
+  private Map<Integer, String> ports(PhoenixProcess phoenix) throws IOException {
+    Map<Integer, String> uses = new LinkedHashMap<>();
+    uses.put(phoenix.port(), "phoenix");
+    uses.put(phoenix.registryPort(), "phoenix's RMI registry");
+    for (RobotDescription robot : team.knownRobots()) {
+      robot
+          .registrar()
+          .ifPresent(
+              registrar -> {
+                uses.put(registrar.port(), robot.name() + "'s registrar");
+                uses.put(registrar.classes(), robot.name() + "'s class server");
+              });
+    }
+    uses.remove(0); // one of the system's choice, or none
+    if (uses.size() == OF_PHOENIX) {
+      uses.put(RegistrarDescription.DISCOVERY_PORT, "a registrar");
+      uses.put(RegistrarDescription.CLASS_PORT, "a class server");
+    }
+    return uses;
+  }
+
+  private static PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
+    return new PhoenixCheck.Daemon() {
+      @Override
+      public String address() {
+        return phoenix.host() + ":" + phoenix.port();
+      }
+
+      @Override
+      public OptionalLong pid() {
+        return phoenix.pid();
+      }
+
+      @Override
+      public List<GroupStatus> groups() throws RemoteException {
+        return phoenix.admin(DEADLINE).groupStatus();
+      }
+
+      @Override
+      public String log() {
+        return phoenix.log().toString();
+      }
+    };
+  }
+
+  private static Told told(Finding finding) {
+    return new Told(
+        finding.subject().id(),
+        finding.verdict().name().toLowerCase(Locale.ROOT),
+        finding.what(),
+        finding.mend());
+  }
+}

@@ -1,0 +1,119 @@
+package org.dfra.app.doctor;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.app.doctor.PortCheck.Holder;
+
+/**
+ * Who listens on this computer's TCP ports, as Linux tells it in /proc. Elsewhere only whether
+ * somebody does.
+ */
+final class ListeningPorts implements PortCheck.Ports {
+
+  private static final String LISTEN = "0A"; // proc_net_tcp(5)
+  private static final int LONGEST_COMMAND = 60;
+
+  private final Path proc;
+
+  /**
+   * @param proc the folder {@code /proc}
+   */
+  ListeningPorts(Path proc) {
+    this.proc = proc;
+  }
+
+  @Override
+  public Optional<Holder> holder(int port) {
+    Path tcp = proc.resolve("net/tcp");
+    if (!Files.isReadable(tcp)) {
+      return isFree(port) ? Optional.empty() : Optional.of(new Holder(-1, "", false));
+    }
+    Set<String> sockets =
+        Stream.of(tcp, proc.resolve("net/tcp6"))
+            .flatMap(table -> listening(table, port))
+            .map(inode -> "socket:[" + inode + "]")
+            .collect(Collectors.toSet());
+    return sockets.isEmpty() ? Optional.empty() : Optional.of(owner(sockets));
+  }
+
+  private static boolean isFree(int port) {
+    try (ServerSocket socket = new ServerSocket()) {
+      socket.bind(new InetSocketAddress(port));
+      return true;
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  /** The inodes of the sockets that listen on a port. */
+  private static Stream<String> listening(Path table, int port) {
+    try {
+      return Files.readAllLines(table).stream()
+          .skip(1) // headings
+          .map(line -> line.strip().split("\\s+"))
+          .filter(fields -> fields.length > 9 && fields[3].equals(LISTEN))
+          .filter(fields -> port(fields[1]) == port)
+          .map(fields -> fields[9]);
+    } catch (IOException e) {
+      return Stream.of(); // a computer without IPv6 has one table
+    }
+  }
+
+  private static int port(String address) {
+    return Integer.parseInt(address.substring(address.lastIndexOf(':') + 1), 16);
+  }
+
+  private Holder owner(Set<String> sockets) {
+    try (DirectoryStream<Path> processes = Files.newDirectoryStream(proc, "[0-9]*")) {
+      for (Path process : processes) {
+        if (holds(process, sockets)) {
+          String command = command(process);
+          return new Holder(
+              Long.parseLong(process.getFileName().toString()),
+              shortened(command),
+              command.contains("org.dfra."));
+        }
+      }
+    } catch (IOException e) {
+      return new Holder(-1, "", false); // it is not told
+    }
+    return new Holder(-1, "", false);
+  }
+
+  private static boolean holds(Path process, Set<String> sockets) {
+    try (DirectoryStream<Path> open = Files.newDirectoryStream(process.resolve("fd"))) {
+      for (Path each : open) {
+        if (Files.isSymbolicLink(each)
+            && sockets.contains(Files.readSymbolicLink(each).toString())) {
+          return true;
+        }
+      }
+      return false;
+    } catch (IOException e) {
+      return false; // another user's, or it has ended
+    }
+  }
+
+  private static String command(Path process) {
+    try {
+      return String.join(" ", List.of(Files.readString(process.resolve("cmdline")).split("\0")));
+    } catch (IOException e) {
+      return ""; // it has ended
+    }
+  }
+
+  private static String shortened(String command) {
+    return command.length() <= LONGEST_COMMAND
+        ? command
+        : command.substring(0, LONGEST_COMMAND) + "…";
+  }
+}

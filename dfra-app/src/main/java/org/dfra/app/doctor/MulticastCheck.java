@@ -1,0 +1,97 @@
+package org.dfra.app.doctor;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+
+/** Whether lookup services can be found by group: whether what is sent by multicast is heard. */
+final class MulticastCheck implements Check {
+
+  /** How long what was sent is listened for. */
+  static final Duration PATIENCE = Duration.ofMillis(500);
+
+  /** The computer's network, as far as multicast goes. */
+  interface Network {
+    /** The interfaces that are up, not the loopback and capable of multicast, by name. */
+    List<String> interfaces() throws IOException;
+
+    /**
+     * Sends a request for a group that nobody has, and listens for it.
+     *
+     * @return how long it took, or empty if it was not heard
+     */
+    Optional<Duration> heard(String networkInterface) throws IOException;
+  }
+
+  private final Network network;
+  private final List<String> groups;
+
+  /**
+   * @param groups the discovery groups that are wanted; none if empty
+   */
+  MulticastCheck(Network network, List<String> groups) {
+    this.network = network;
+    this.groups = groups;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.MULTICAST;
+  }
+
+  @Override
+  public List<Finding> examine() {
+    if (groups.isEmpty()) {
+      return List.of(Finding.ok(subject(), "no group is asked for, so it is not needed"));
+    }
+    List<String> interfaces;
+    try {
+      interfaces = network.interfaces();
+    } catch (IOException e) {
+      return List.of(
+          Finding.fail(
+              subject(),
+              "the network interfaces cannot be listed (" + e.getMessage() + ")",
+              "Ask this computer's administrator why."));
+    }
+    if (interfaces.isEmpty()) {
+      return List.of(
+          Finding.warn(
+              subject(),
+              "no network interface but the loopback can multicast, so no robot is found by group",
+              "Connect a network, or name the team's registrars in DFRA_LOCATORS."));
+    }
+    return interfaces.stream().map(this::at).toList();
+  }
+
+  private Finding at(String networkInterface) {
+    try {
+      return network
+          .heard(networkInterface)
+          .map(
+              took ->
+                  Finding.ok(
+                      subject(),
+                      "a request on "
+                          + networkInterface
+                          + " was heard after "
+                          + Milliseconds.of(took)))
+          .orElseGet(
+              () ->
+                  Finding.fail(
+                      subject(),
+                      "a request on "
+                          + networkInterface
+                          + " was sent and not heard within "
+                          + Milliseconds.of(PATIENCE),
+                      "Let a firewall pass UDP port 4160 to and from 224.0.1.84 and 224.0.1.85, or"
+                          + " name the team's registrars in DFRA_LOCATORS."));
+    } catch (IOException e) {
+      return Finding.fail(
+          subject(),
+          "nothing can be sent on " + networkInterface + " (" + e.getMessage() + ")",
+          "Give it a route for 224.0.0.0/4, or name the team's registrars in DFRA_LOCATORS.");
+    }
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.app.doctor;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalLong;
+import org.dfra.river.phoenix.GroupStatus;
+
+/** Whether this host's phoenix answers, and how its groups are. */
+final class PhoenixCheck implements Check {
+
+  /** The phoenix of this host. */
+  interface Daemon {
+    /** Where it is asked, as {@code host:port}. */
+    String address();
+
+    /** The process that owns the journal, if there is one. */
+    OptionalLong pid();
+
+    /** How its groups are. */
+    List<GroupStatus> groups() throws RemoteException;
+
+    /** The file with what it says. */
+    String log();
+  }
+
+  private final Daemon phoenix;
+
+  PhoenixCheck(Daemon phoenix) {
+    this.phoenix = phoenix;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.PHOENIX;
+  }
+
+  @Override
+  public List<Finding> examine() {
+    List<GroupStatus> groups;
+    try {
+      groups = phoenix.groups();
+    } catch (RemoteException e) {
+      return List.of(silent(e));
+    }
+    List<Finding> findings = new ArrayList<>();
+    OptionalLong pid = phoenix.pid();
+    findings.add(
+        Finding.ok(
+            subject(),
+            (pid.isPresent() ? "process " + pid.getAsLong() : "another user's process")
+                + " answers at "
+                + phoenix.address()));
+    groups.forEach(each -> findings.add(group(each)));
+    return findings;
+  }
+
+  private Finding silent(RemoteException failure) {
+    OptionalLong pid = phoenix.pid();
+    if (pid.isEmpty()) {
+      return Finding.warn(
+          subject(),
+          "none answers at " + phoenix.address() + ", so no robot is up on this host",
+          "Bring one up: ./dfra up ROBOT.XML; for a robot elsewhere nothing is to be done.");
+    }
+    return Finding.fail(
+        subject(),
+        "process "
+            + pid.getAsLong()
+            + " does not answer at "
+            + phoenix.address()
+            + " ("
+            + reason(failure)
+            + ")",
+        "See "
+            + phoenix.log()
+            + "; if it is stopped or hangs, kill -9 "
+            + pid.getAsLong()
+            + " and bring the robots up again: their groups go on meanwhile.");
+  }
+
+  private static String reason(RemoteException failure) {
+    String text = String.valueOf(failure.getMessage());
+    int nested = text.indexOf(';');
+    return nested < 0 ? text : text.substring(0, nested);
+  }
+
+  private static Finding group(GroupStatus group) {
+    String name = "group " + group.name().replaceFirst("^\\d+-", "");
+    if (group.heldOffUntil() != null) {
+      return Finding.fail(
+          Subject.GROUP,
+          name
+              + " crashed too often and is held off until "
+              + group.heldOffUntil()
+              + " ("
+              + (group.lastCrash() == null ? "nobody knows why" : group.lastCrash())
+              + ")",
+          "See why in " + group.output() + " and in the .vm.log beside it, and mend that.");
+    }
+    if (group.recentCrashes() > 0) {
+      return Finding.warn(
+          Subject.GROUP,
+          name + " crashed lately: " + group.lastCrash(),
+          "See why in " + group.output() + " and in the .vm.log beside it.");
+    }
+    return Finding.ok(
+        Subject.GROUP,
+        group.pid() < 0 ? name + " waits for a call" : name + " is process " + group.pid());
+  }
+}

@@ -1,0 +1,125 @@
+package org.dfra.app.doctor;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Whether the team's lookup services answer, and how quickly. */
+final class RegistrarCheck implements Check {
+
+  private static final Duration SLOW = Duration.ofMillis(500);
+
+  /**
+   * A lookup service that was found.
+   *
+   * @param locator where it is, as {@code jini://host:port}
+   * @param groups its discovery groups
+   * @param loopback whether its address leads every other computer to itself
+   * @param answer how long its answer took; null if there was none
+   */
+  record Seen(String locator, List<String> groups, boolean loopback, @Nullable Duration answer) {
+
+    Seen {
+      groups = List.copyOf(groups);
+    }
+  }
+
+  /**
+   * What was found.
+   *
+   * @param seen the lookup services
+   * @param silent the locators at which there is none
+   */
+  record Survey(List<Seen> seen, List<String> silent) {
+
+    Survey {
+      seen = List.copyOf(seen);
+      silent = List.copyOf(silent);
+    }
+  }
+
+  /** Looks for lookup services. */
+  interface Search {
+    Survey look() throws InterruptedException;
+  }
+
+  private final Search search;
+  private final List<String> named;
+  private final boolean isRobotUp;
+
+  /**
+   * @param named locators that somebody named, whose silence is a failure
+   * @param isRobotUp whether robots are up on this host, whose registrars then are to answer
+   */
+  RegistrarCheck(Search search, List<String> named, boolean isRobotUp) {
+    this.search = search;
+    this.named = List.copyOf(named);
+    this.isRobotUp = isRobotUp;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.REGISTRAR;
+  }
+
+  @Override
+  public List<Finding> examine() throws InterruptedException {
+    Survey survey = search.look();
+    List<Finding> findings = new ArrayList<>();
+    survey.seen().forEach(each -> findings.add(of(each)));
+    for (String locator : survey.silent()) {
+      if (named.contains(locator)) {
+        findings.add(
+            Finding.fail(
+                subject(),
+                "none answers at " + locator,
+                "Bring its robot up, let a firewall pass its TCP port, or mend --locator or"
+                    + " DFRA_LOCATORS."));
+      } else if (isRobotUp) {
+        findings.add(
+            Finding.fail(
+                subject(),
+                "that of this host at " + locator + " does not answer",
+                "See how its group is: ./dfra status."));
+      }
+    }
+    if (findings.isEmpty()) {
+      findings.add(
+          Finding.warn(
+              subject(),
+              "none was found",
+              "Bring a robot up, or name the registrar of one in DFRA_LOCATORS where multicast"
+                  + " does not reach."));
+    }
+    return findings;
+  }
+
+  private Finding of(Seen seen) {
+    String name =
+        seen.locator()
+            + (seen.groups().isEmpty() ? "" : " of group " + String.join(", ", seen.groups()));
+    if (seen.answer() == null) {
+      return Finding.fail(
+          subject(),
+          name + " was found and does not answer",
+          "Its process is stopped or overloaded, or out of radio range: ask ./dfra status on its"
+              + " host.");
+    }
+    String what = name + " answers in " + Milliseconds.of(seen.answer());
+    if (seen.loopback() && !seen.groups().isEmpty()) {
+      return Finding.warn(
+          subject(),
+          what + ", but only on this computer, though others may look for that group",
+          "Take the robot down, name the address that others reach as host in its XML or in"
+              + " DFRA_HOST, and bring it up again.");
+    }
+    return seen.answer().compareTo(SLOW) < 0
+        ? Finding.ok(subject(), what)
+        : Finding.warn(
+            subject(),
+            what,
+            "The network is slow or its host overloaded; calls end after 2 s unless configured"
+                + " otherwise.");
+  }
+}

@@ -1,0 +1,124 @@
+package org.dfra.app.doctor;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToLongFunction;
+import java.util.stream.Stream;
+
+/** The folder of what phoenix keeps: whether it can be written, its room, its journal. */
+final class StateCheck implements Check {
+
+  private static final long KILOBYTE = 1 << 10;
+  private static final long MEGABYTE = 1 << 20;
+  private static final long GIGABYTE = 1 << 30;
+
+  /** Below, the next few group logs, 10 MB each, would fill it. */
+  private static final long LITTLE_ROOM = 100 * MEGABYTE;
+
+  private static final long NO_ROOM = 5 * MEGABYTE;
+
+  /** A thousand modules' registrations are some megabytes. */
+  private static final long LARGE_JOURNAL = 100 * MEGABYTE;
+
+  private final Path state;
+  private final ToLongFunction<Path> room;
+
+  /**
+   * @param state the folder; it may not exist yet
+   * @param room tells how many bytes can still be written where a path leads
+   */
+  StateCheck(Path state, ToLongFunction<Path> room) {
+    this.state = state;
+    this.room = room;
+  }
+
+  /** The folder on this computer's disk. */
+  static StateCheck of(Path state) {
+    return new StateCheck(state, path -> path.toFile().getUsableSpace());
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.STATE_FOLDER;
+  }
+
+  @Override
+  public List<Finding> examine() {
+    List<Finding> findings = new ArrayList<>();
+    Path existing = existing(state);
+    findings.add(folder(existing));
+    findings.add(space(existing));
+    Path journal = state.resolve("journal");
+    if (Files.isDirectory(journal)) {
+      findings.add(journal(journal));
+    }
+    return findings;
+  }
+
+  /** The folder itself, or the nearest one above that is there. */
+  private static Path existing(Path path) {
+    for (Path each = path; each != null; each = each.getParent()) {
+      if (Files.exists(each)) {
+        return each;
+      }
+    }
+    return path;
+  }
+
+  private Finding folder(Path existing) {
+    if (Files.isDirectory(existing) && Files.isWritable(existing)) {
+      return Finding.ok(
+          subject(),
+          existing.equals(state)
+              ? state + " can be written"
+              : state + " is not there yet and can be made");
+    }
+    return Finding.fail(
+        subject(),
+        Files.isDirectory(existing)
+            ? existing + " cannot be written by this user"
+            : existing + " is no folder",
+        "Mend its rights, or name another folder with --state or in DFRA_STATE.");
+  }
+
+  private Finding space(Path existing) {
+    long left = room.applyAsLong(existing);
+    String what = "there is room for " + size(left) + " in " + state;
+    if (left >= LITTLE_ROOM) {
+      return Finding.ok(Subject.DISK_SPACE, what);
+    }
+    String mend =
+        "Free space there, or name a folder on another disk with --state or in DFRA_STATE.";
+    return left >= NO_ROOM
+        ? Finding.warn(Subject.DISK_SPACE, what, mend)
+        : Finding.fail(Subject.DISK_SPACE, what, mend);
+  }
+
+  private static Finding journal(Path journal) {
+    try (Stream<Path> files = Files.list(journal)) {
+      long bytes = files.mapToLong(file -> file.toFile().length()).sum();
+      String what = journal + " has " + size(bytes);
+      return bytes < LARGE_JOURNAL
+          ? Finding.ok(Subject.JOURNAL, what)
+          : Finding.warn(
+              Subject.JOURNAL,
+              what + ", more than any robot's registrations need",
+              "Take every robot down, move the folder away and bring them up again.");
+    } catch (IOException e) {
+      return Finding.fail(
+          Subject.JOURNAL,
+          journal + " cannot be read",
+          "Ask as the user who brought the robots up, or mend the folder's rights.");
+    }
+  }
+
+  private static String size(long bytes) {
+    if (bytes < MEGABYTE) {
+      return bytes / KILOBYTE + " KB";
+    }
+    return bytes < 10 * GIGABYTE ? bytes / MEGABYTE + " MB" : bytes / GIGABYTE + " GB";
+  }
+}

@@ -1,0 +1,142 @@
+package org.dfra.app.doctor;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import net.jini.admin.Administrable;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.lookup.ServiceRegistrar;
+import org.dfra.app.doctor.ClockCheck.Measured;
+import org.dfra.app.doctor.RegistrarCheck.Seen;
+import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.Module;
+import org.dfra.river.bootstrap.HostAddress;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.remote.ModuleAdmin;
+import org.jspecify.annotations.Nullable;
+
+/** What can be seen of the team: its lookup services, and its robots' clocks. */
+final class TeamSurvey implements RegistrarCheck.Search, ClockCheck.Clocks, AutoCloseable {
+
+  /** How long one peer is waited for; all are asked at once. */
+  private static final Duration DEADLINE = Duration.ofMillis(800);
+
+  /** The first answer is slow, since connections are made for it; more change little. */
+  private static final int QUESTIONS = 8;
+
+  private final JiniModuleDirectory directory;
+  private final Duration patience;
+  private final ExecutorService askers =
+      Executors.newCachedThreadPool(
+          task -> {
+            Thread thread = new Thread(task, "dfra-doctor-asks");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  private TeamSurvey(JiniModuleDirectory directory, Duration patience) {
+    this.directory = directory;
+    this.patience = patience;
+  }
+
+  /** Begins to look. */
+  static TeamSurvey open(TeamOptions team) throws IOException {
+    return new TeamSurvey(team.directory(), team.patience());
+  }
+
+  @Override
+  public Survey look() throws InterruptedException {
+    List<String> silent = directory.awaitFirstLook(patience);
+    Map<ServiceRegistrar, Future<Seen>> asked = new LinkedHashMap<>();
+    for (ServiceRegistrar each : directory.lookupServices()) {
+      asked.put(each, askers.submit(() -> seen(each)));
+    }
+    List<Seen> seen = new ArrayList<>();
+    for (Map.Entry<ServiceRegistrar, Future<Seen>> each : asked.entrySet()) {
+      String id = each.getKey().getServiceID().toString();
+      seen.add(answer(each.getValue()).orElseGet(() -> new Seen(id, List.of(), false, null)));
+    }
+    return new Survey(seen, silent);
+  }
+
+  private static Seen seen(ServiceRegistrar registrar) throws RemoteException {
+    List<String> groups = Arrays.asList(registrar.getGroups());
+    long asked = System.nanoTime();
+    LookupLocator locator = registrar.getLocator();
+    return new Seen(
+        "jini://" + locator.getHost() + ":" + locator.getPort(),
+        groups,
+        HostAddress.isLoopback(locator.getHost()),
+        Duration.ofNanos(System.nanoTime() - asked));
+  }
+
+  @Override
+  public List<Measured> measure() throws InterruptedException {
+    directory.awaitFirstLook(patience);
+    Map<String, List<Module>> robots = new TreeMap<>();
+    for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
+      if (!each.stale() && !each.robot().isEmpty()) {
+        robots.computeIfAbsent(each.robot(), robot -> new ArrayList<>()).add(each.module());
+      }
+    }
+    Map<String, Future<ClockOffset>> asked = new TreeMap<>();
+    robots.forEach((robot, modules) -> asked.put(robot, askers.submit(() -> offset(modules))));
+    List<Measured> measured = new ArrayList<>();
+    for (Map.Entry<String, Future<ClockOffset>> each : asked.entrySet()) {
+      measured.add(new Measured(each.getKey(), answer(each.getValue()).orElse(null)));
+    }
+    return measured;
+  }
+
+  /** By the first of a robot's modules that tells. */
+  private static ClockOffset offset(List<Module> modules) throws Exception {
+    @Nullable RemoteException failure = null;
+    for (Module module : modules) {
+      try {
+        if (module instanceof Administrable administrable
+            && administrable.getAdmin() instanceof ModuleAdmin admin) {
+          Callable<Instant> clock = admin::clock;
+          return ClockOffset.measure(QUESTIONS, clock, InstantSource.system());
+        }
+      } catch (RemoteException e) {
+        failure = e;
+      }
+    }
+    throw failure == null ? new RemoteException("no module has an administration") : failure;
+  }
+
+  /** What a peer answered in time; empty if it failed or did not. */
+  private static <T> Optional<T> answer(Future<T> asked) throws InterruptedException {
+    try {
+      return Optional.of(asked.get(DEADLINE.toMillis(), TimeUnit.MILLISECONDS));
+    } catch (ExecutionException | TimeoutException e) {
+      asked.cancel(true);
+      return Optional.empty();
+    }
+  }
+
+  @Override
+  public void close() {
+    askers.shutdownNow();
+    directory.close();
+  }
+}

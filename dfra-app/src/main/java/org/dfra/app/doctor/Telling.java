@@ -1,0 +1,72 @@
+package org.dfra.app.doctor;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Help.Ansi;
+
+/** Findings as lines for people. */
+final class Telling {
+
+  private static final int VERDICT_WIDTH = 6;
+  private static final int SUBJECT_WIDTH =
+      Arrays.stream(Subject.values()).mapToInt(each -> each.id().length()).max().orElse(0) + 2;
+
+  private final Ansi ansi;
+
+  /**
+   * @param ansi whether the terminal has colours
+   */
+  Telling(Ansi ansi) {
+    this.ansi = ansi;
+  }
+
+  List<String> of(List<Finding> findings) {
+    List<String> lines = new ArrayList<>();
+    for (Finding each : findings) {
+      lines.add(verdict(each.verdict()) + padded(each.subject().id(), SUBJECT_WIDTH) + each.what());
+      @Nullable String mend = each.mend();
+      if (mend != null) {
+        lines.add(" ".repeat(VERDICT_WIDTH + SUBJECT_WIDTH) + "→ " + mend);
+      }
+    }
+    lines.add("");
+    lines.add(sum(findings));
+    return lines;
+  }
+
+  private String verdict(Verdict verdict) {
+    String colour =
+        switch (verdict) {
+          case OK -> "green";
+          case WARN -> "yellow";
+          case FAIL -> "bold,red";
+        };
+    String padding = " ".repeat(VERDICT_WIDTH - verdict.name().length());
+    return ansi.string("@|" + colour + " " + verdict + "|@") + padding;
+  }
+
+  private static String padded(String text, int width) {
+    return text + " ".repeat(width - text.length());
+  }
+
+  private static String sum(List<Finding> findings) {
+    long fails = count(findings, Verdict.FAIL);
+    long warns = count(findings, Verdict.WARN);
+    if (fails == 0 && warns == 0) {
+      return "All is well.";
+    }
+    return (fails == 0 ? "Nothing fails" : counted(fails, "failure"))
+        + (warns == 0 ? "" : ", " + counted(warns, "warning"))
+        + ".";
+  }
+
+  private static String counted(long count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
+  }
+
+  private static long count(List<Finding> findings, Verdict verdict) {
+    return findings.stream().filter(each -> each.verdict() == verdict).count();
+  }
+}

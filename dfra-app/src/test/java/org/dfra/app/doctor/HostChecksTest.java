@@ -1,0 +1,184 @@
+package org.dfra.app.doctor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.dfra.core.config.ConfigurationException;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is found of Java, the boot class path, limits and the computer's name. */
+class HostChecksTest {
+
+  private static final Set<String> WHOLE =
+      Set.of(
+          "java.logging",
+          "java.management",
+          "java.naming",
+          "java.rmi",
+          "java.xml",
+          "jdk.httpserver",
+          "jdk.unsupported");
+
+  @TempDir Path folder;
+
+  @Test
+  void javaOlderThan17IsAFailure() {
+    assertThat(new JavaCheck(11, "11.0.2", "/opt/java", WHOLE).examine())
+        .containsExactly(
+            Finding.fail(
+                Subject.JAVA,
+                "Java 11.0.2 at /opt/java is older than 17",
+                "Install Java 17 or newer, and name its folder in JAVA_HOME."));
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", WHOLE).examine())
+        .containsExactly(Finding.ok(Subject.JAVA, "Java 17.0.15 at /opt/java"));
+    assertThat(JavaCheck.ofThisProcess().examine().get(0).verdict()).isEqualTo(Verdict.OK);
+  }
+
+  @Test
+  void aJavaThatLacksModulesIsAFailure() {
+    Set<String> some = new HashSet<>(WHOLE);
+    some.remove("jdk.httpserver");
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", some).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("Java 17.0.15 at /opt/java lacks jdk.httpserver", Finding::what);
+  }
+
+  @Test
+  void onlyTheBootLoaderMayDefineActivation() {
+    Optional<String> jar = Optional.of("/opt/dfra/lib/boot/dfra-activation.jar");
+    assertThat(new BootJarCheck(name -> Object.class, jar).examine())
+        .containsExactly(
+            Finding.ok(
+                Subject.BOOT_JAR,
+                "java.rmi.activation comes from /opt/dfra/lib/boot/dfra-activation.jar"));
+    assertThat(new BootJarCheck(name -> HostChecksTest.class, jar).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns(
+            "java.rmi.activation is on the class path, not on the boot class path", Finding::what);
+    assertThat(
+            new BootJarCheck(
+                    name -> {
+                      throw new ClassNotFoundException(name);
+                    },
+                    jar)
+                .examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("there is no java.rmi.activation", Finding::what);
+    assertThat(BootJarCheck.ofThisProcess().examine().get(0).verdict()).isEqualTo(Verdict.OK);
+  }
+
+  @Test
+  void fewFileDescriptorsAreAWarning() throws IOException {
+    assertThat(limit("1024").examine())
+        .singleElement()
+        .returns(Verdict.WARN, Finding::verdict)
+        .satisfies(finding -> assertThat(finding.mend()).contains("ulimit -n 4096"));
+    assertThat(limit("4096").examine())
+        .containsExactly(
+            Finding.ok(Subject.FILE_DESCRIPTORS, "a process may have 4096 files and sockets open"));
+    assertThat(new FileDescriptorCheck(folder.resolve("none")).examine())
+        .as("the system does not tell")
+        .isEmpty();
+  }
+
+  private FileDescriptorCheck limit(String most) throws IOException {
+    return new FileDescriptorCheck(
+        Files.writeString(
+            folder.resolve("limits"),
+            """
+            Limit                     Soft Limit           Hard Limit           Units
+            Max processes             15000                15000                processes
+            Max open files            %s                 20000                files
+            """
+                .formatted(most)));
+  }
+
+  @Test
+  void aNameThatStandsForTheLoopbackIsAWarning() throws Exception {
+    InetAddress debian = InetAddress.getByAddress("robot7", new byte[] {127, 0, 1, 1});
+    assertThat(new HostCheck(names(debian, "192.0.2.10"), "auto").examine())
+        .containsExactly(
+            Finding.warn(
+                Subject.HOST_NAME,
+                "robot7 stands for 127.0.1.1, which no other computer reaches; DFRA uses"
+                    + " 192.0.2.10 instead",
+                "Never name robot7 as a robot's host, or let /etc/hosts give it 192.0.2.10."),
+            Finding.ok(Subject.HOST_ADDRESS, "proxies carry 192.0.2.10"));
+  }
+
+  @Test
+  void aNameThatStandsForItsAddressIsWell() throws Exception {
+    InetAddress good = InetAddress.getByAddress("robot7", new byte[] {(byte) 192, 0, 2, 10});
+    assertThat(new HostCheck(names(good, "192.0.2.10"), "auto").examine())
+        .allSatisfy(finding -> assertThat(finding.verdict()).isEqualTo(Verdict.OK));
+  }
+
+  @Test
+  void withoutANetworkOnlyTheLoopbackIsLeft() throws Exception {
+    InetAddress debian = InetAddress.getByAddress("robot7", new byte[] {127, 0, 1, 1});
+    assertThat(new HostCheck(names(debian, "127.0.0.1"), "auto").examine())
+        .extracting(Finding::subject, Finding::verdict)
+        .containsExactly(
+            org.assertj.core.groups.Tuple.tuple(Subject.HOST_NAME, Verdict.OK),
+            org.assertj.core.groups.Tuple.tuple(Subject.HOST_ADDRESS, Verdict.WARN));
+  }
+
+  @Test
+  void aNameThatStandsForNothingIsAWarning() {
+    assertThat(new HostCheck(names(null, "192.0.2.10"), "auto").examine().get(0))
+        .returns(Verdict.WARN, Finding::verdict)
+        .returns("this computer's own name stands for no address", Finding::what);
+  }
+
+  @Test
+  void anAddressThatIsNotThisComputersIsAFailure() {
+    HostCheck.Names names =
+        new HostCheck.Names() {
+          @Override
+          public InetAddress ownName() {
+            return InetAddress.getLoopbackAddress();
+          }
+
+          @Override
+          public String chosen(String wanted) {
+            throw new ConfigurationException(
+                "host " + wanted + " is no address of this machine; name one that is, or auto");
+          }
+        };
+    assertThat(new HostCheck(names, "10.9.9.9").examine())
+        .containsExactly(
+            Finding.fail(
+                Subject.HOST_ADDRESS,
+                "host 10.9.9.9 is no address of this machine",
+                "Name one that is, or auto."));
+  }
+
+  private static HostCheck.Names names(@Nullable InetAddress own, String chosen) {
+    return new HostCheck.Names() {
+      @Override
+      public InetAddress ownName() throws UnknownHostException {
+        if (own == null) {
+          throw new UnknownHostException("robot7");
+        }
+        return own;
+      }
+
+      @Override
+      public String chosen(String wanted) {
+        return chosen;
+      }
+    };
+  }
+}

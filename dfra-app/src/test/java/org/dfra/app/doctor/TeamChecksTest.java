@@ -1,0 +1,128 @@
+package org.dfra.app.doctor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.List;
+import org.dfra.app.doctor.ClockCheck.Measured;
+import org.dfra.app.doctor.RegistrarCheck.Seen;
+import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+/** What is found of lookup services and clocks. */
+class TeamChecksTest {
+
+  private static final String HERE = "jini://192.0.2.10:4160";
+
+  @Test
+  void aLookupServiceThatAnswersIsTold() throws Exception {
+    assertThat(seen(new Seen(HERE, List.of("field"), false, Duration.ofMillis(3))))
+        .isEqualTo(Finding.ok(Subject.REGISTRAR, HERE + " of group field answers in 3.0 ms"));
+    assertThat(seen(new Seen(HERE, List.of(), false, Duration.ofMillis(900))).verdict())
+        .isEqualTo(Verdict.WARN);
+    assertThat(seen(new Seen("an-id", List.of(), false, null)))
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("an-id was found and does not answer", Finding::what);
+  }
+
+  @Test
+  void aGroupThatOnlyThisComputerReachesIsAWarning() throws Exception {
+    String loopback = "jini://127.0.0.1:4160";
+    assertThat(seen(new Seen(loopback, List.of("field"), true, Duration.ofMillis(3))))
+        .returns(Verdict.WARN, Finding::verdict)
+        .satisfies(finding -> assertThat(finding.mend()).contains("DFRA_HOST"));
+    assertThat(seen(new Seen(loopback, List.of(), true, Duration.ofMillis(3))).verdict())
+        .as("nobody looks for it")
+        .isEqualTo(Verdict.OK);
+  }
+
+  private static Finding seen(Seen seen) throws InterruptedException {
+    return new RegistrarCheck(() -> new Survey(List.of(seen), List.of()), List.of(), false)
+        .examine()
+        .get(0);
+  }
+
+  @Test
+  void aLocatorThatIsSilentIsAFailureIfSomebodyReliesOnIt() throws Exception {
+    RegistrarCheck.Search silent = () -> new Survey(List.of(), List.of(HERE));
+    assertThat(new RegistrarCheck(silent, List.of(HERE), false).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("none answers at " + HERE, Finding::what);
+    assertThat(new RegistrarCheck(silent, List.of(), true).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("that of this host at " + HERE + " does not answer", Finding::what);
+    assertThat(new RegistrarCheck(silent, List.of(), false).examine())
+        .as("the robot was taken down")
+        .singleElement()
+        .returns(Verdict.WARN, Finding::verdict)
+        .returns("none was found", Finding::what);
+  }
+
+  @Test
+  void clocksThatDifferByMoreThanTheMeasurementDoesAreTold() throws Exception {
+    assertThat(clock(20, 5))
+        .isEqualTo(
+            Finding.ok(Subject.CLOCK, "r's clock is 20 ms ahead of this computer's, ± 5.0 ms"));
+    assertThat(clock(-3, 5).what()).isEqualTo("r's clock agrees with this computer's, ± 5.0 ms");
+    assertThat(clock(-150, 5))
+        .returns(Verdict.WARN, Finding::verdict)
+        .returns("r's clock is 150 ms behind this computer's, ± 5.0 ms", Finding::what);
+    assertThat(clock(150, 80).verdict()).as("it may be the network").isEqualTo(Verdict.OK);
+    assertThat(clock(3000, 5))
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns("r's clock is 3.0 s ahead of this computer's, ± 5.0 ms", Finding::what);
+    assertThat(clock(null).verdict()).isEqualTo(Verdict.WARN);
+  }
+
+  private static Finding clock(int offset, int uncertainty) throws InterruptedException {
+    return clock(new ClockOffset(Duration.ofMillis(offset), Duration.ofMillis(uncertainty)));
+  }
+
+  private static Finding clock(@Nullable ClockOffset offset) throws InterruptedException {
+    return new ClockCheck(() -> List.of(new Measured("r", offset))).examine().get(0);
+  }
+
+  @Test
+  void theQuickestAnswerCounts() throws Exception {
+    // Asked at 0, told 1050, back at 100; asked at 200, told 1210, back at 210: 5 ms either way.
+    InstantSource here = instants(0, 100, 200, 210, 300, 380);
+    InstantSource there = instants(1050, 1210, 1390);
+    assertThat(ClockOffset.measure(3, there::instant, here))
+        .isEqualTo(new ClockOffset(Duration.ofMillis(1005), Duration.ofMillis(5)));
+  }
+
+  @Test
+  void anOffsetWithinItsUncertaintyMayBeNone() {
+    ClockOffset offset = new ClockOffset(Duration.ofMillis(-3), Duration.ofMillis(5));
+    assertThat(offset.atLeast()).isZero();
+    assertThat(new ClockOffset(Duration.ofMillis(-30), Duration.ofMillis(5)).atLeast())
+        .isEqualTo(Duration.ofMillis(25));
+  }
+
+  @Test
+  void whatTheOtherClockThrowsIsThrown() {
+    assertThatThrownBy(
+            () ->
+                ClockOffset.measure(
+                    1,
+                    () -> {
+                      throw new RemoteException("out of range");
+                    },
+                    InstantSource.system()))
+        .isInstanceOf(RemoteException.class);
+  }
+
+  private static InstantSource instants(long... millis) {
+    Iterator<Instant> all = Arrays.stream(millis).mapToObj(Instant::ofEpochMilli).iterator();
+    return all::next;
+  }
+}

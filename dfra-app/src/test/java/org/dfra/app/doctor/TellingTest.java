@@ -1,0 +1,56 @@
+package org.dfra.app.doctor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine.Help.Ansi;
+
+/** How findings look. */
+class TellingTest {
+
+  private static final List<Finding> FINDINGS =
+      List.of(
+          Finding.ok(Subject.JAVA, "Java 17"),
+          Finding.warn(Subject.FILE_DESCRIPTORS, "few", "Have more."),
+          Finding.fail(Subject.PORT, "taken", "Free it."));
+
+  @Test
+  void eachIsALineAndWhatToDoIsBelow() {
+    assertThat(new Telling(Ansi.OFF).of(FINDINGS))
+        .containsExactly(
+            "OK    java              Java 17",
+            "WARN  file-descriptors  few",
+            "                        → Have more.",
+            "FAIL  port              taken",
+            "                        → Free it.",
+            "",
+            "1 failure, 1 warning.");
+    assertThat(new Telling(Ansi.OFF).of(FINDINGS.subList(0, 1))).endsWith("All is well.");
+    assertThat(new Telling(Ansi.OFF).of(FINDINGS.subList(0, 2)))
+        .endsWith("Nothing fails, 1 warning.");
+  }
+
+  @Test
+  void onATerminalVerdictsAreColoured() {
+    assertThat(new Telling(Ansi.ON).of(FINDINGS).get(0)).startsWith("\u001b[32mOK");
+  }
+
+  @Test
+  void aCheckThatBreaksIsNoFinding() {
+    Check broken =
+        new Check() {
+          @Override
+          public Subject subject() {
+            return Subject.PORT;
+          }
+
+          @Override
+          public List<Finding> examine() {
+            throw new IllegalStateException("a fault of ours");
+          }
+        };
+    org.assertj.core.api.Assertions.assertThatThrownBy(() -> Examination.of(List.of(broken)))
+        .hasMessage("a fault of ours");
+  }
+}

@@ -1,0 +1,53 @@
+package org.dfra.app.figure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How figures are told and kept. */
+class FiguresTest {
+
+  @TempDir Path folder;
+
+  private static Figures three() {
+    Figures figures = new Figures();
+    figures.add(new Figure("met", 0.5, 3, "s"));
+    figures.add(new Figure("missed", 4.0625, 3, "s"));
+    figures.add(new Figure("stated", 20, Double.POSITIVE_INFINITY, "B/s"));
+    return figures;
+  }
+
+  @Test
+  void aLineTellsWhatIsWantedAndWhetherItIsMissed() {
+    assertThat(three().all().stream().map(each -> each.line().strip().replaceAll(" +", " ")))
+        .containsExactly(
+            "met 0.500 s wanted ≤ 3 s", "missed 4.063 s wanted ≤ 3 s MISSED", "stated 20 B/s");
+  }
+
+  @Test
+  void linesStandInColumns() {
+    List<String> lines = three().all().stream().map(Figure::line).toList();
+    assertThat(lines.get(0).indexOf("wanted")).isEqualTo(lines.get(1).indexOf("wanted"));
+  }
+
+  @Test
+  void onlyABoundedFigureIsMissed() {
+    assertThat(three().missed()).extracting(Figure::what).containsExactly("missed");
+  }
+
+  @Test
+  void aFileIsBegunOnceAndThenContinued() throws Exception {
+    Path file = folder.resolve("figures.csv");
+    three().append(file, "demo", "first");
+    three().append(file, "demo", "second");
+    assertThat(Files.readAllLines(file))
+        .hasSize(7)
+        .startsWith("when,demo,java,cores,load,figure,measured,wanted_at_most,unit")
+        .anyMatch(row -> row.contains(",first,") && row.endsWith(",\"missed\",4.0625,3,s"))
+        .anyMatch(row -> row.contains(",second,") && row.endsWith(",\"stated\",20,,B/s"));
+  }
+}

@@ -1,0 +1,74 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.river.loading.RobotClasses;
+import org.jspecify.annotations.Nullable;
+
+/** The jars for clients that lack a robot's classes. */
+final class DownloadJars {
+
+  /** System property with the folder of DFRA's jars; {@code ./dfra} sets it. */
+  private static final String LIB = "dfra.lib";
+
+  private DownloadJars() {}
+
+  /**
+   * What a robot serves: DFRA's own download jars, where {@code dfra.lib} says they are, and those
+   * of its modules.
+   *
+   * @param state phoenix's folder
+   * @return empty if it runs no class server or there is nothing to serve
+   * @throws IOException if DFRA's own are not where they should be
+   */
+  static Optional<RobotClasses> of(RobotDescription robot, String host, Path state)
+      throws IOException {
+    Optional<RegistrarDescription> registrar =
+        robot.registrar().filter(RegistrarDescription::servesClasses);
+    if (registrar.isEmpty()) {
+      return Optional.empty();
+    }
+    Path kept = state.toAbsolutePath().resolve("classes").resolve(robot.name());
+    List<List<Path>> kinds = new ArrayList<>();
+    robot.modules().forEach(each -> kinds.add(each.download().stream().map(Path::of).toList()));
+    return Optional.of(new RobotClasses(host, registrar.get().classes(), kept, kinds, ofDfra()))
+        .filter(classes -> !classes.isEmpty());
+  }
+
+  /**
+   * The jars in the folder {@code dl} of DFRA's own, sorted by name; none where DFRA is a part of
+   * another program, which has no such folder.
+   *
+   * @throws IOException if they are not where they should be
+   */
+  private static List<Path> ofDfra() throws IOException {
+    return in(System.getProperty(LIB));
+  }
+
+  static List<Path> in(@Nullable String lib) throws IOException {
+    if (lib == null) {
+      return List.of();
+    }
+    Path folder = Path.of(lib).toAbsolutePath().resolve("dl");
+    List<Path> jars = List.of();
+    if (Files.isDirectory(folder)) {
+      try (Stream<Path> files = Files.list(folder)) {
+        jars = files.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
+      }
+    }
+    if (jars.isEmpty()) {
+      throw new IOException(
+          "there is no jar for clients to download in "
+              + folder
+              + "; build DFRA anew, or write classes=\"off\" in <registrar>");
+    }
+    return jars;
+  }
+}

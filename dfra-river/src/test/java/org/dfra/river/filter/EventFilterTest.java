@@ -1,0 +1,102 @@
+package org.dfra.river.filter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import net.jini.jeri.BasicJeriExporter;
+import org.assertj.core.api.AbstractThrowableAssert;
+import org.dfra.event.Delivery;
+import org.dfra.event.ModuleEvent.NewReading;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Reading;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Events as a module sends them to a listener elsewhere, with something else in the reading. */
+class EventFilterTest {
+
+  /** A reading that any kind of module might have, and whose contents anybody may choose. */
+  public record Freight(Object cargo) implements Reading {
+    @Override
+    public Instant measured() {
+      return Instant.EPOCH;
+    }
+  }
+
+  @TempDir private Path folder;
+  private Payload payload;
+  private BasicJeriExporter exporter;
+  private ModuleListener stub;
+  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
+  private final RemoteModuleListener listener = heard::add;
+
+  @BeforeEach
+  void export() throws Exception {
+    payload = new Payload(folder);
+    exporter =
+        new BasicJeriExporter(
+            Endpoints.tcp("127.0.0.1", 0),
+            new DeadlineILFactory(null, null, payload.loader(), Duration.ofSeconds(20)),
+            false,
+            false);
+    stub = (ModuleListener) exporter.export(listener);
+  }
+
+  @AfterEach
+  void unexport() {
+    assertThat(exporter.unexport(true)).isTrue();
+  }
+
+  private void send(Object cargo) throws RemoteException {
+    NewReading event = new NewReading(new Freight(cargo));
+    stub.notify(new Delivery("atrv1/laser", 1, 1, 0, Instant.EPOCH, event));
+  }
+
+  private AbstractThrowableAssert<?, ?> assertRefused(Object cargo, String what) {
+    return assertThatThrownBy(() -> send(cargo))
+        .as(what)
+        .isInstanceOf(RemoteException.class)
+        .hasStackTraceContaining(RefusedDataException.class.getName() + ": refused to read");
+  }
+
+  @Test
+  void refusesGadgetsAndGoesOnListening() throws Exception {
+    for (Map.Entry<String, Object> gadget : payload.gadgets().entrySet()) {
+      Payload.reset();
+      assertRefused(gadget.getValue(), gadget.getKey());
+      assertThat(Payload.ran()).as(gadget.getKey()).isFalse();
+    }
+    assertThat(heard).isEmpty();
+    send(new double[] {1, 2, 3});
+    assertThat(heard).hasSize(1);
+  }
+
+  @Test
+  void refusesWhatIsTooDeepOrTooLarge() {
+    Map<String, Object> cargoes =
+        Map.of(
+            "objects nested",
+            Payload.nested(100),
+            "elements in one array",
+            new byte[(4 << 20) + 1],
+            "bytes claimed by arrays",
+            new long[(1 << 20) + 1],
+            "bytes",
+            "x".repeat((8 << 20) + 1));
+    cargoes.forEach(
+        (limit, cargo) -> assertRefused(cargo, limit).hasStackTraceContaining(" " + limit + " > "));
+    assertThat(heard).isEmpty();
+  }
+}

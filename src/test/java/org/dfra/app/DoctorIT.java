@@ -1,0 +1,135 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.example.thermometer.SteadyThermometerImpl;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code ./dfra doctor} on a robot that runs, and after its registrar was stopped. */
+class DoctorIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(40);
+
+  @TempDir Path folder;
+
+  @Test
+  void findsARobotWellAndThenIll() throws Exception {
+    int registrar = freePort();
+    String state = "--state=" + folder.resolve("state");
+    try (MarkedProcesses processes = new MarkedProcesses(folder)) {
+      Outcome none = doctor(processes, state);
+      assertThat(found(none, "phoenix")).containsExactly("warn");
+      assertThat(found(none, "registrar")).containsExactly("warn");
+      assertThat(none.exit()).as("no robot is no failure: " + none.out()).isZero();
+
+      Outcome up =
+          processes.dfra(
+              PATIENCE,
+              "up",
+              robot(registrar).toString(),
+              "--port=" + freePort(),
+              "--registry-port=-1",
+              state);
+      assertThat(up.exit()).as(up.out() + up.err()).isZero();
+      Outcome well = doctor(processes, state);
+      assertThat(found(well, "java")).containsExactly("ok");
+      assertThat(found(well, "boot-jar")).containsExactly("ok");
+      assertThat(found(well, "state-folder")).containsExactly("ok");
+      assertThat(found(well, "journal")).containsExactly("ok");
+      assertThat(found(well, "phoenix")).containsExactly("ok");
+      assertThat(found(well, "group")).containsExactly("ok", "ok");
+      assertThat(found(well, "registrar")).hasSize(1).doesNotContain("fail");
+      assertThat(found(well, "clock")).containsExactly("ok");
+      assertThat(well.exit()).as(well.out()).isZero();
+      String pid = Files.readString(folder.resolve("state/phoenix.pid")).strip();
+      assertThat(well.out()).contains("process " + pid + " answers at 127.0.0.1:");
+
+      long lookup = pidOf(well, "group r1.lookup is process ");
+      signal(lookup, "STOP");
+      try {
+        Outcome ill = doctor(processes, state);
+        assertThat(found(ill, "registrar")).containsExactly("fail");
+        assertThat(ill.exit()).as(ill.out()).isEqualTo(1);
+        Outcome told = processes.dfra(PATIENCE, "doctor", "--team=", state);
+        assertThat(told.out())
+            .contains("FAIL  registrar", "→ ")
+            .doesNotContain("\u001b")
+            .containsPattern("\n1 failure, \\d+ warnings?\\.\n$|\n1 failure\\.\n$");
+      } finally {
+        signal(lookup, "CONT");
+      }
+      assertThat(processes.dfra(PATIENCE, "down", state).exit()).isZero();
+    }
+  }
+
+  private static Outcome doctor(MarkedProcesses processes, String state) throws Exception {
+    Outcome outcome =
+        processes.dfra(PATIENCE, "doctor", "--json", "--team=", "--host=127.0.0.1", state);
+    assertThat(outcome.err()).isEmpty();
+    return outcome;
+  }
+
+  /** The verdicts on a subject. */
+  private static List<String> found(Outcome outcome, String subject) throws IOException {
+    List<String> verdicts = new ArrayList<>();
+    JsonNode report = new ObjectMapper().readTree(outcome.out());
+    for (JsonNode each : report.get("findings")) {
+      if (each.get("subject").asText().equals(subject)) {
+        verdicts.add(each.get("verdict").asText());
+      }
+    }
+    return verdicts;
+  }
+
+  private static long pidOf(Outcome outcome, String what) {
+    int at = outcome.out().indexOf(what) + what.length();
+    return Long.parseLong(outcome.out().substring(at, outcome.out().indexOf('"', at)));
+  }
+
+  private static void signal(long pid, String name) throws Exception {
+    assertThat(new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start().waitFor())
+        .isZero();
+  }
+
+  private Path robot(int registrar) throws IOException {
+    return Files.writeString(
+        folder.resolve("r1.xml"),
+        """
+        <robot xmlns="urn:dfra:robot:1" name="r1" host="127.0.0.1">
+          <group name="lookup">
+            <registrar port="%d"/>
+          </group>
+          <group name="one">
+            <module name="warmth" server="%s" proxy="%s" driver="%s">
+              <parameter name="celsius" value="17"/>
+            </module>
+          </group>
+        </robot>
+        """
+            .formatted(
+                registrar,
+                ThermometerServer.class.getName(),
+                ThermometerProxy.class.getName(),
+                SteadyThermometerImpl.class.getName()));
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+      return socket.getLocalPort();
+    }
+  }
+}

@@ -1,0 +1,178 @@
+package org.dfra.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.awaitility.Awaitility;
+import org.dfra.module.Module;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The tutorial, followed to the letter: its files are written, its commands typed into a shell, and
+ * what it says they print is looked for. Only ports and folders are this test's own.
+ */
+class TutorialIT {
+
+  /** The folder of the tutorials. */
+  static final Path TUTORIALS = Documents.ROOT.resolve("docs/tutorials");
+
+  private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+)\\n(.*?)^```$");
+  private static final Pattern FILE =
+      Pattern.compile("`([\\w-]+(?:/[\\w-]+)*\\.(?:java|properties|xml))`");
+
+  @TempDir Path folder;
+  private Path work;
+  private String phoenixPort;
+  private String registrarPort;
+  private String classPort;
+
+  /** Where the reader has a clone, this has what was compiled, under the same names. */
+  @BeforeEach
+  void prepareAClone() throws IOException, InterruptedException {
+    work = Files.createDirectory(folder.resolve("my-sensors"));
+    phoenixPort = freePort();
+    registrarPort = freePort();
+    classPort = freePort();
+    Path lib = Files.createDirectories(folder.resolve("lib"));
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+      Path path = Path.of(entry);
+      if (!path.startsWith(Documents.ROOT.resolve("src/test"))) {
+        copy(path, lib);
+      }
+    }
+    Path api = Path.of(Module.class.getProtectionDomain().getCodeSource().getLocation().getPath());
+    copy(api, Files.createDirectory(lib.resolve("dl")));
+    Files.writeString(folder.resolve("dfra"), launcher());
+    assertThat(folder.resolve("dfra").toFile().setExecutable(true)).isTrue();
+  }
+
+  /** A jar as it is, a folder of classes as a jar. */
+  private static void copy(Path entry, Path to) throws IOException, InterruptedException {
+    if (Files.isRegularFile(entry)) {
+      Files.copy(entry, to.resolve(entry.getFileName()));
+    } else if (Files.isDirectory(entry)) { // .../dfra-core/target/classes, or Gradle's
+      String name = Documents.ROOT.relativize(entry).toString().replace(File.separator, "-");
+      shell(to, "jar --create --file '" + name + ".jar' -C '" + entry + "' .");
+    }
+  }
+
+  /** What {@code ./dfra} does at last, which starts the program, with this test's phoenix. */
+  private String launcher() {
+    return "#!/bin/sh\nset -eu\n"
+        + (". '" + Documents.ROOT.resolve("src/dist/libexec/java.sh") + "'\n")
+        + ("root='" + Documents.ROOT + "' home='" + System.getProperty("java.home") + "'\n")
+        + ("lib='" + folder.resolve("lib") + "' boot='" + System.getProperty("dfra.boot") + "'\n")
+        + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
+        + ("[ $1 != up ] || set -- \"$@\" --port " + phoenixPort + " --registry-port -1\n")
+        + "launch \"$root\" \"$lib\" \"$boot\" ./dfra \"$@\"\n";
+  }
+
+  @AfterEach
+  void takeDown() {
+    List<ProcessHandle> left =
+        ProcessHandle.allProcesses()
+            .filter(each -> each.info().commandLine().orElse("").contains(folder.toString()))
+            .toList();
+    left.forEach(ProcessHandle::destroyForcibly);
+    Awaitility.await().until(() -> left.stream().noneMatch(ProcessHandle::isAlive));
+  }
+
+  @Test
+  void writeYourOwnSensor() throws Exception {
+    String text = Documents.read(TUTORIALS.resolve("write-your-own-sensor.md"));
+    List<String> exports = new ArrayList<>();
+    String printed = "";
+    int looked = 0;
+    Matcher block = BLOCK.matcher(text);
+    while (block.find()) {
+      String content = atOwnPorts(block.group(2));
+      switch (block.group(1)) {
+        case "sh" -> {
+          if (content.contains("dfra=~/dfra")) {
+            exports.add("export dfra='" + folder + "' lib='" + folder.resolve("lib") + "'");
+            exports.add("export boot='" + System.getProperty("dfra.boot") + "'");
+            continue;
+          }
+          printed = shell(work, String.join("\n", exports) + "\n" + content);
+          content.lines().filter(line -> line.startsWith("export ")).forEach(exports::add);
+        }
+        case "text" -> {
+          for (String line : content.lines().toList()) {
+            assertThat(printed).contains(line.replaceFirst("…$", ""));
+            looked++;
+          }
+        }
+        default -> {
+          Path file = work.resolve(named(text.substring(0, block.start())));
+          Files.createDirectories(file.getParent());
+          Files.writeString(file, content);
+        }
+      }
+    }
+    assertThat(looked).as("lines that were looked for").isGreaterThan(5);
+    assertThat(written()).as("files of the tutorial").contains("desk.xml", "trust.properties");
+  }
+
+  private List<String> written() throws IOException {
+    try (Stream<Path> files = Files.list(work)) {
+      return new ArrayList<>(new TreeSet<>(files.map(each -> each.getFileName() + "").toList()));
+    }
+  }
+
+  /** The file that the paragraph before a block names last. */
+  private static String named(String before) {
+    String paragraph = before.strip().substring(before.strip().lastIndexOf("\n\n") + 1);
+    return FILE.matcher(paragraph)
+        .results()
+        .map(found -> found.group(1))
+        .reduce((a, b) -> b)
+        .orElseThrow(() -> new AssertionError("no file is named in: " + paragraph));
+  }
+
+  private String atOwnPorts(String content) {
+    return content.replace("4160", registrarPort).replace("8085", classPort);
+  }
+
+  /** Runs what a reader types, in a shell that ends at the first failure; gives all it printed. */
+  private static String shell(Path in, String commands) throws IOException, InterruptedException {
+    Path said = Files.createTempFile(in, "said", ".txt");
+    ProcessBuilder shell =
+        new ProcessBuilder("sh", "-eu", "-c", commands)
+            .directory(in.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(said.toFile());
+    Path java = Path.of(System.getProperty("java.home"), "bin");
+    shell.environment().merge("PATH", java.toString(), (path, own) -> own + ":" + path);
+    shell.environment().put("PWD", in.toString());
+    Process process = shell.start();
+    boolean ended = process.waitFor(90, TimeUnit.SECONDS);
+    process.destroyForcibly();
+    String printed = Files.readString(said, StandardCharsets.UTF_8);
+    Files.delete(said);
+    assertThat(ended).as("%s\nstill runs; it said: %s", commands, printed).isTrue();
+    assertThat(process.exitValue()).as("%s\nsaid: %s", commands, printed).isZero();
+    return printed;
+  }
+
+  private static String freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+      return Integer.toString(socket.getLocalPort());
+    }
+  }
+}
