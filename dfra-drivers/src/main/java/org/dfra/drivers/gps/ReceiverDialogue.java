@@ -76,9 +76,9 @@ final class ReceiverDialogue implements LinkUser {
 
   @Override
   public boolean received(byte[] bytes, int length) {
-    long before = protocol.counts().frames();
-    protocol.feed(bytes, length);
-    StreamCounts counts = protocol.counts();
+    long before = protocol.parser().counts().frames();
+    protocol.parser().feed(bytes, 0, length);
+    StreamCounts counts = protocol.parser().counts();
     listener.counted(counts);
     return counts.frames() > before;
   }
@@ -102,8 +102,8 @@ final class ReceiverDialogue implements LinkUser {
 
   @Override
   public void lost(String reason) {
-    protocol.finish();
-    listener.counted(protocol.counts());
+    protocol.parser().finish();
+    listener.counted(protocol.parser().counts());
     listener.withoutPosition(reason);
   }
 

@@ -2,7 +2,7 @@ package org.dfra.drivers.gps;
 
 import java.io.IOException;
 import java.util.List;
-import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.frame.FrameParser;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.persona.GpsReceiverAttributes;
 
@@ -46,14 +46,8 @@ public interface ReceiverProtocol {
    */
   void opened(SerialLink link) throws IOException;
 
-  /** Takes bytes that came, and tells the listener what they say. */
-  void feed(byte[] bytes, int length);
-
-  /** The link is closed: settles what was left over. */
-  void finish();
-
-  /** What has come so far, all openings together. */
-  StreamCounts counts();
+  /** Takes the bytes that come; always the same. It tells the listener what they say. */
+  FrameParser<?> parser();
 
   /**
    * Called after every read, in vain or not: says what is due by now.

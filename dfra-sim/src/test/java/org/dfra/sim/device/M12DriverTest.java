@@ -8,11 +8,9 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.time.Clock;
 import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Random;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
@@ -33,9 +31,8 @@ import org.junit.jupiter.api.Timeout;
 class M12DriverTest {
 
   private static final GeoPosition PLACE = new GeoPosition(52.910313611, 6.866706667, 55.91);
-  private static final int SPEED = 20;
 
-  private final InstantSource clock = fastClock();
+  private final InstantSource clock = FastClock.of(20);
   private M12Emulator emulator;
   private Relay relay;
 
@@ -111,22 +108,6 @@ class M12DriverTest {
   }
 
   @Test
-  void comesBackWhenTheLinkWasCutAndRestored() {
-    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
-      gps.start();
-      awaitReadiness(gps, Readiness.READY);
-      relay.cut();
-      awaitReadiness(gps, Readiness.INITIALIZING);
-      assertThatThrownBy(gps::fix)
-          .isInstanceOf(NotReadyException.class)
-          .hasMessageStartingWith("atrv1/gps_front is INITIALIZING: ");
-      relay.restore();
-      awaitReadiness(gps, Readiness.READY);
-      assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
-    }
-  }
-
-  @Test
   void comesBackWhenTheReceiverWasReplaced() throws IOException {
     int port = emulator.port();
     try (M12PlusImpl gps = driver(emulator.url(), Map.of())) {
@@ -141,49 +122,6 @@ class M12DriverTest {
         awaitReadiness(gps, Readiness.READY);
         assertThat(gps.location().position()).isEqualTo(elsewhere);
       }
-    }
-  }
-
-  @Test
-  void noticesASilentReceiverAndItsReturn() {
-    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
-      gps.start();
-      awaitReadiness(gps, Readiness.READY);
-      relay.silence(true);
-      awaitReadiness(gps, Readiness.INITIALIZING);
-      relay.silence(false);
-      awaitReadiness(gps, Readiness.READY);
-    }
-  }
-
-  @Test
-  void readsOnThroughAStormOfGarbage() {
-    long seed = new Random().nextLong();
-    relay.garbage(new Random(seed));
-    try (M12PlusImpl gps = driver(relay.url(), Map.of())) {
-      gps.start();
-      awaitReadiness(gps, Readiness.READY);
-      await("seed " + seed).until(() -> gps.counts().droppedBytes() > 10_000);
-      relay.garbage(null);
-      awaitReadiness(gps, Readiness.READY);
-      assertThat(gps.location().position().height()).as("seed %d", seed).isEqualTo(55.91);
-    }
-  }
-
-  @Test
-  void followsAReceiverThatDrifts() throws IOException {
-    Instant begin = clock.instant();
-    M12Settings adrift =
-        M12Settings.at(PLACE)
-            .withBaud(115_200)
-            .withPath(AntennaPath.drifting(PLACE, begin, 0.6, 0.8));
-    try (M12Emulator boat = new M12Emulator(adrift, clock);
-        M12PlusImpl gps = started(boat)) {
-      awaitReadiness(gps, Readiness.READY);
-      assertThat(gps.fix().speed()).isEqualTo(1);
-      assertThat(gps.fix().course()).isCloseTo(53.1, within(0.05)); // tenths of a degree
-      double first = gps.location().position().latitude();
-      await().until(() -> gps.location().position().latitude() > first);
     }
   }
 
@@ -219,11 +157,5 @@ class M12DriverTest {
         .atMost(Duration.ofSeconds(20))
         .pollInterval(Duration.ofMillis(5))
         .until(gps::readiness, expected::equals);
-  }
-
-  private static InstantSource fastClock() {
-    long begin = System.nanoTime();
-    Instant origin = Instant.parse("2026-01-21T07:33:29Z");
-    return () -> origin.plusNanos((System.nanoTime() - begin) * SPEED);
   }
 }

@@ -32,7 +32,7 @@ class M12ExaminationTest {
 
   private static final GeoPosition PLACE = new GeoPosition(52.91, 6.86, 55);
 
-  private final InstantSource clock = fastClock(20);
+  private final InstantSource clock = FastClock.of(20);
   private M12Emulator emulator;
   private Relay relay;
   private M12PlusImpl gps;
@@ -177,11 +177,5 @@ class M12ExaminationTest {
         .atMost(Duration.ofSeconds(20))
         .pollInterval(Duration.ofMillis(5))
         .until(gps::readiness, expected::equals);
-  }
-
-  private static InstantSource fastClock(int speed) {
-    long begin = System.nanoTime();
-    Instant origin = Instant.parse("2026-01-21T07:33:29Z");
-    return () -> origin.plusNanos((System.nanoTime() - begin) * speed);
   }
 }

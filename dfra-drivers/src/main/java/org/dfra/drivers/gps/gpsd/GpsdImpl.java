@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.gps.FixedPace;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.ReceiverKind;
@@ -118,18 +117,8 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
     }
 
     @Override
-    public void feed(byte[] bytes, int length) {
-      parser.feed(bytes, 0, length);
-    }
-
-    @Override
-    public void finish() {
-      parser.finish();
-    }
-
-    @Override
-    public StreamCounts counts() {
-      return parser.counts();
+    public GpsdParser parser() {
+      return parser;
     }
 
     private void heard(GpsdMessage message) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.gps.ReceiverProtocol;
 import org.dfra.drivers.gps.Solution;
 import org.dfra.drivers.link.SerialLink;
@@ -132,18 +131,8 @@ final class M12Protocol implements ReceiverProtocol {
   }
 
   @Override
-  public void feed(byte[] bytes, int length) {
-    parser.feed(bytes, 0, length);
-  }
-
-  @Override
-  public void finish() {
-    parser.finish();
-  }
-
-  @Override
-  public StreamCounts counts() {
-    return parser.counts();
+  public M12Parser parser() {
+    return parser;
   }
 
   @Override

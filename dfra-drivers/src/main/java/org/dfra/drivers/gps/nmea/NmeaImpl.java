@@ -2,7 +2,6 @@ package org.dfra.drivers.gps.nmea;
 
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.gps.FixedPace;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.ReceiverKind;
@@ -66,18 +65,8 @@ public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
     }
 
     @Override
-    public void feed(byte[] bytes, int length) {
-      parser.feed(bytes, 0, length);
-    }
-
-    @Override
-    public void finish() {
-      parser.finish();
-    }
-
-    @Override
-    public StreamCounts counts() {
-      return parser.counts();
+    public NmeaParser parser() {
+      return parser;
     }
 
     private void heard(NmeaSentence sentence) {

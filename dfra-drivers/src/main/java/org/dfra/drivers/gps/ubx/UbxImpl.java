@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.gps.FixedPace;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.ReceiverKind;
@@ -112,18 +111,8 @@ public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
     }
 
     @Override
-    public void feed(byte[] bytes, int length) {
-      parser.feed(bytes, 0, length);
-    }
-
-    @Override
-    public void finish() {
-      parser.finish();
-    }
-
-    @Override
-    public StreamCounts counts() {
-      return parser.counts();
+    public UbxParser parser() {
+      return parser;
     }
 
     private void heard(UbxMessage message) {

@@ -1,0 +1,87 @@
+package org.dfra.drivers.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+
+/**
+ * Bytes in, messages out: scanner and decoder in one. Confined to one thread. Never throws,
+ * whatever the bytes.
+ *
+ * @param <M> what the messages are
+ */
+public abstract class FrameParser<M> {
+
+  /** Decodes intact frames. */
+  @FunctionalInterface
+  public interface Decoder<M> {
+
+    /**
+     * Decodes one; must not throw, whatever it says.
+     *
+     * @param bytes holds it; valid only during the call
+     * @param offset index of its first byte
+     * @param length its length in bytes
+     */
+    M decode(byte[] bytes, int offset, int length);
+  }
+
+  private final FrameScanner scanner;
+  private final Decoder<? extends M> decoder;
+  private final Predicate<? super M> isMalformed;
+  private final Consumer<? super M> messages;
+  private final FrameScanner.Sink sink = this::decode; // once: feeding makes no garbage
+  private long malformed;
+
+  /**
+   * @param scanner finds the frames
+   * @param decoder decodes them
+   * @param isMalformed whether a message stands for values that cannot be
+   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   */
+  protected FrameParser(
+      FrameScanner scanner,
+      Decoder<? extends M> decoder,
+      Predicate<? super M> isMalformed,
+      Consumer<? super M> messages) {
+    this.scanner = scanner;
+    this.decoder = decoder;
+    this.isMalformed = isMalformed;
+    this.messages = messages;
+  }
+
+  /** Decodes a whole recording, by a parser that {@code make} makes. */
+  protected static <M> List<M> parse(
+      byte[] bytes, Function<Consumer<M>, ? extends FrameParser<M>> make) {
+    List<M> found = new ArrayList<>();
+    FrameParser<M> parser = make.apply(found::add);
+    parser.feed(bytes, 0, bytes.length);
+    parser.finish();
+    return found;
+  }
+
+  /** Takes the next bytes; see {@link FrameScanner#feed}. */
+  public final void feed(byte[] bytes, int offset, int length) {
+    scanner.feed(bytes, offset, length, sink);
+  }
+
+  /** No more bytes will follow; see {@link FrameScanner#finish}. */
+  public final void finish() {
+    scanner.finish(sink);
+  }
+
+  /** What has come so far. */
+  public final StreamCounts counts() {
+    return new StreamCounts(scanner.frames(), scanner.droppedBytes(), malformed);
+  }
+
+  private void decode(byte[] bytes, int offset, int length) {
+    M message = decoder.decode(bytes, offset, length);
+    if (isMalformed.test(message)) {
+      malformed++;
+    }
+    messages.accept(message);
+  }
+}

@@ -1,0 +1,31 @@
+package org.dfra.sim.device;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.m12.M12PlusImpl;
+
+/** What the M12+ has in common with all receivers; what is its own is in M12DriverTest. */
+class M12ReceiverDriverTest extends ReceiverDriverContract {
+
+  @Override
+  SerialDevice device(AntennaPath path, Duration timeToFirstFix) {
+    return new M12Device(path, 115_200, timeToFirstFix);
+  }
+
+  @Override
+  ReceiverImpl<?> driver(ModuleContext context) {
+    return new M12PlusImpl(context);
+  }
+
+  @Override
+  double resolution() {
+    return 1.4e-7; // half a milli-arc-second
+  }
+
+  @Override
+  List<String> furtherTests() {
+    return List.of("identification", "antenna", "integrity");
+  }
+}
