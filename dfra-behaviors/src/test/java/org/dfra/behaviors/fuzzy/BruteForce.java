@@ -14,7 +14,7 @@ final class BruteForce {
 
   private static final int LAST = 100;
 
-  /** Closer than this, rounding decides which of two is higher. */
+  /** Closer than this part of them, rounding decides which of two is higher. */
   private static final double NEAR = 1e-11;
 
   private final FuzzySystem system;
@@ -73,7 +73,7 @@ final class BruteForce {
       case "MAX" -> (a, b) -> a > b ? a : b;
       case "PROD" -> (a, b) -> a * b;
       case "SUM" -> (a, b) -> a + b;
-      case "PROBOR" -> (a, b) -> 1 - (1 - a) * (1 - b);
+      case "PROBOR" -> (a, b) -> a + b - a * b;
       default -> throw new IllegalArgumentException(method);
     };
   }
@@ -123,7 +123,7 @@ final class BruteForce {
     return switch (system.methods().defuzzification()) {
       case CENTROID ->
           Answer.of(IntStream.rangeClosed(0, LAST).mapToDouble(i -> x[i] * y[i]).sum() / area);
-      case BISECTOR -> new Answer(half(x, y, area - NEAR), half(x, y, area + NEAR));
+      case BISECTOR -> new Answer(half(x, y, area * (1 - NEAR)), half(x, y, area * (1 + NEAR)));
       default -> top(x, y, system.methods());
     };
   }
@@ -142,7 +142,7 @@ final class BruteForce {
   private static Answer top(double[] x, double[] y, Methods methods) {
     double top = Arrays.stream(y).max().orElseThrow();
     double[] exact = places(x, y, top);
-    double[] near = places(x, y, top - NEAR);
+    double[] near = places(x, y, top * (1 - NEAR));
     boolean isCutFlat =
         methods.aggregation() == Methods.Aggregation.MAX
             && methods.implication() == Methods.Implication.MIN;
@@ -203,7 +203,7 @@ final class BruteForce {
   }
 
   private static double sigmoid(double x, double a, double c) {
-    return 0.5 + 0.5 * Math.tanh(a * (x - c) / 2);
+    return 1 / (1 + Math.exp(a * (c - x)));
   }
 
   private static double smooth(double x, double a, double b) {
