@@ -1,6 +1,7 @@
 dependencies {
     api(project(":dfra-river"))
     api(project(":dfra-drivers"))
+    api(project(":dfra-behaviors"))
     api(project(":dfra-sim"))
     compileOnly(project(":dfra-activation"))
     testCompileOnly(project(":dfra-activation"))

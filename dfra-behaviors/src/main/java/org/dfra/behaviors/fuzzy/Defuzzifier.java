@@ -1,0 +1,103 @@
+package org.dfra.behaviors.fuzzy;
+
+import org.dfra.behaviors.fuzzy.Methods.Defuzzification;
+
+/** Makes a number of a set on a grid. */
+final class Defuzzifier {
+
+  private final Defuzzification method;
+  private final Engine engine;
+
+  Defuzzifier(Defuzzification method, Engine engine) {
+    this.method = method;
+    this.engine = engine;
+  }
+
+  /**
+   * The number.
+   *
+   * @param x the grid, in ascending order
+   * @param set how far each of its points belongs to the set
+   * @param middle the answer where no point does
+   */
+  double number(double[] x, double[] set, double middle) {
+    double area = 0;
+    for (double each : set) {
+      area += each;
+    }
+    if (area == 0) {
+      return engine == Engine.MATLAB ? middle : Double.NaN;
+    }
+    return switch (method) {
+      case CENTROID -> engine == Engine.MATLAB ? centroid(x, set, area) : trapezoidal(x, set);
+      case BISECTOR -> bisector(x, set, area);
+      case MOM -> meanOfMaximum(x, set);
+      case SOM -> extreme(x, set, true);
+      case LOM -> extreme(x, set, false);
+      case WTAVER, WTSUM -> throw new IllegalStateException(method + " is Sugeno's");
+    };
+  }
+
+  private static double centroid(double[] x, double[] set, double area) {
+    double moment = 0;
+    for (int i = 0; i < x.length; i++) {
+      moment += set[i] * x[i];
+    }
+    return moment / area;
+  }
+
+  private static double trapezoidal(double[] x, double[] set) {
+    double area = 0;
+    double moment = 0;
+    for (int i = 1; i < x.length; i++) {
+      double half = (x[i] - x[i - 1]) / 2;
+      area += half * (set[i] + set[i - 1]);
+      moment += half * (set[i] * x[i] + set[i - 1] * x[i - 1]);
+    }
+    return moment / area;
+  }
+
+  private static double bisector(double[] x, double[] set, double area) {
+    double so = 0;
+    int i = -1;
+    while (so < area / 2) {
+      so += set[++i];
+    }
+    return x[Math.max(0, i)];
+  }
+
+  private static double highest(double[] set) {
+    double highest = 0;
+    for (double each : set) {
+      highest = Math.max(highest, each);
+    }
+    return highest;
+  }
+
+  private static double meanOfMaximum(double[] x, double[] set) {
+    double highest = highest(set);
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < x.length; i++) {
+      if (set[i] == highest) {
+        sum += x[i];
+        count++;
+      }
+    }
+    return sum / count;
+  }
+
+  private static double extreme(double[] x, double[] set, boolean isSmallest) {
+    double highest = highest(set);
+    double found = Double.NaN;
+    for (int i = 0; i < x.length; i++) {
+      boolean isBetter =
+          Double.isNaN(found)
+              || (isSmallest ? Math.abs(x[i]) < Math.abs(found) : Math.abs(x[i]) > Math.abs(found));
+      if (set[i] == highest && isBetter) {
+        found = x[i];
+      }
+    }
+    return found;
+  }
+}

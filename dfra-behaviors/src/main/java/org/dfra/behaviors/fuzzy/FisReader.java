@@ -1,0 +1,227 @@
+package org.dfra.behaviors.fuzzy;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.dfra.behaviors.fuzzy.FisSections.Line;
+import org.dfra.behaviors.fuzzy.FisSections.Section;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.config.Place;
+
+/** Reads {@code .fis} files, as MATLAB and other toolboxes write them. */
+public final class FisReader {
+
+  private static final String QUOTED = "\\s*'([^']*)'\\s*";
+  private static final Pattern TEXT = Pattern.compile(QUOTED);
+  private static final Pattern LIST = Pattern.compile("\\s*\\[([^\\]]*)\\]\\s*");
+  private static final Pattern TERM =
+      Pattern.compile(QUOTED + ":" + QUOTED + ",\\s*\\[([^\\]]*)\\]\\s*");
+
+  private final String file;
+  private final FisSections sections;
+
+  private FisReader(String file, FisSections sections) {
+    this.file = file;
+    this.sections = sections;
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @throws ConfigurationException naming file, line and word of what is wrong
+   */
+  public static FuzzySystem read(Path file) {
+    return parse(text(file), file.toString());
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param file what complaints call it
+   * @throws ConfigurationException naming file, line and word of what is wrong
+   */
+  public static FuzzySystem parse(String text, String file) {
+    return new FisReader(file, FisSections.of(text, file)).system();
+  }
+
+  private static String text(Path file) {
+    try {
+      byte[] bytes = Files.readAllBytes(file);
+      try {
+        return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+      } catch (CharacterCodingException e) {
+        return new String(bytes, Charset.forName("windows-1252")); // as old MATLABs write it
+      }
+    } catch (NoSuchFileException e) {
+      throw new ConfigurationException(
+          file + ": there is no such file; name the .fis file of a fuzzy system", e);
+    } catch (IOException e) {
+      throw new ConfigurationException(
+          file + ": the file cannot be read (" + e + "); name a readable file", e);
+    }
+  }
+
+  private FuzzySystem system() {
+    Section system = sections.one("System");
+    system.requireKnown(
+        List.of(
+            "Name",
+            "Type",
+            "Version",
+            "NumInputs",
+            "NumOutputs",
+            "NumRules",
+            "AndMethod",
+            "OrMethod",
+            "ImpMethod",
+            "AggMethod",
+            "DefuzzMethod"));
+    FuzzySystem.Type type = constant(system.line("Type"), FuzzySystem.Type.class);
+    Methods methods =
+        new Methods(
+            constant(system.line("AndMethod"), Methods.And.class),
+            constant(system.line("OrMethod"), Methods.Or.class),
+            constant(system.line("ImpMethod"), Methods.Implication.class),
+            constant(system.line("AggMethod"), Methods.Aggregation.class),
+            constant(system.line("DefuzzMethod"), Methods.Defuzzification.class));
+    List<Variable> inputs = variables("Input", count(system.line("NumInputs")), true);
+    boolean isMamdani = type == FuzzySystem.Type.MAMDANI;
+    List<Variable> outputs = variables("Output", count(system.line("NumOutputs")), isMamdani);
+    sections.requireKnown(inputs.size(), outputs.size());
+    Line rules = system.line("NumRules");
+    FisRules rulesReader = new FisRules(inputs.size(), outputs.size());
+    List<Rule> read = sections.one("Rules").lines().stream().map(rulesReader::rule).toList();
+    if (read.size() != count(rules)) {
+      throw rules.fault(
+          "NumRules is " + rules.value() + ", but there are " + read.size() + " rules");
+    }
+    return fitting(
+        new Place(file, 0),
+        () ->
+            new FuzzySystem(
+                matched(TEXT, system.line("Name"), "a name in quotes").group(1),
+                type,
+                methods,
+                inputs,
+                outputs,
+                read));
+  }
+
+  private List<Variable> variables(String what, int count, boolean hasSets) {
+    return IntStream.rangeClosed(1, count)
+        .mapToObj(number -> variable(sections.one(what + number), hasSets))
+        .toList();
+  }
+
+  private static Variable variable(Section section, boolean hasSets) {
+    String name = matched(TEXT, section.line("Name"), "a name in quotes").group(1);
+    Line range = section.line("Range");
+    double[] ends =
+        FisNumbers.list(range, matched(LIST, range, "two numbers in brackets").group(1));
+    if (ends.length != 2) {
+      throw range.fault("the range of " + name + " has " + ends.length + " ends; write [low high]");
+    }
+    Line number = section.line("NumMFs");
+    List<Line> lines = section.numbered("MF");
+    if (lines.size() != count(number)) {
+      throw number.fault(
+          "NumMFs of " + name + " is " + number.value() + ", but there are " + lines.size());
+    }
+    List<Term> terms = lines.stream().map(line -> term(line, hasSets)).toList();
+    return fitting(range.place(), () -> new Variable(name, ends[0], ends[1], terms));
+  }
+
+  private static Term term(Line line, boolean isSet) {
+    Matcher parts = matched(TERM, line, "'name':'type',[parameters]");
+    String word = parts.group(2);
+    List<Double> numbers = Arrays.stream(FisNumbers.list(line, parts.group(3))).boxed().toList();
+    return new Term(
+        parts.group(1),
+        fitting(
+            line.place(), () -> isSet ? set(line, word, numbers) : function(line, word, numbers)));
+  }
+
+  /** Old files pad a list of parameters with zeros. */
+  private static Membership set(Line line, String word, List<Double> numbers) {
+    MembershipType type =
+        MembershipType.of(word)
+            .orElseThrow(
+                () ->
+                    line.fault(
+                        "the membership function type \""
+                            + word
+                            + "\" is unknown"
+                            + NearestName.hint(word, words(), "; there is " + words())));
+    int arity = type.parameters().size();
+    boolean isPadded =
+        numbers.size() > arity
+            && numbers.subList(arity, numbers.size()).stream().allMatch(each -> each == 0);
+    return new Membership(type, isPadded ? numbers.subList(0, arity) : numbers);
+  }
+
+  private static List<String> words() {
+    return Arrays.stream(MembershipType.values()).map(MembershipType::word).toList();
+  }
+
+  private static LinearFunction function(Line line, String word, List<Double> numbers) {
+    if (word.equals(LinearFunction.LINEAR)) {
+      return LinearFunction.linear(numbers);
+    } else if (word.equals(LinearFunction.CONSTANT)) {
+      boolean isPadded = numbers.stream().skip(1).allMatch(each -> each == 0);
+      if (numbers.isEmpty() || !isPadded) {
+        throw line.fault("constant wants one number, not " + numbers);
+      }
+      return LinearFunction.constant(numbers.get(0));
+    }
+    throw line.fault("the type \"" + word + "\" is unknown; write constant or linear");
+  }
+
+  private static int count(Line line) {
+    return FisNumbers.whole(line, line.value());
+  }
+
+  private static <E extends Enum<E>> E constant(Line line, Class<E> type) {
+    String word = matched(TEXT, line, "a word in quotes").group(1);
+    List<String> words = Arrays.stream(type.getEnumConstants()).map(Methods::word).toList();
+    int place = words.indexOf(word);
+    if (place < 0) {
+      throw line.fault(
+          line.key()
+              + " is \""
+              + word
+              + "\", which is unknown"
+              + NearestName.hint(word, words, "; there is " + words));
+    }
+    return type.getEnumConstants()[place];
+  }
+
+  private static Matcher matched(Pattern pattern, Line line, String wanted) {
+    Matcher matcher = pattern.matcher(line.value());
+    if (!matcher.matches()) {
+      throw line.fault(line.key() + " is \"" + line.value().strip() + "\", not " + wanted);
+    }
+    return matcher;
+  }
+
+  private static <T> T fitting(Place place, Supplier<T> made) {
+    try {
+      return made.get();
+    } catch (ConfigurationException e) {
+      throw e;
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(place + ": " + e.getMessage(), e);
+    }
+  }
+}

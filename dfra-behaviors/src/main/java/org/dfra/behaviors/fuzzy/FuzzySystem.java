@@ -1,0 +1,166 @@
+package org.dfra.behaviors.fuzzy;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * A fuzzy inference system. Immutable; {@link #inference()} evaluates it.
+ *
+ * @param name its name
+ * @param type Mamdani's or Sugeno's
+ * @param methods how it reckons
+ * @param inputs at least one
+ * @param outputs at least one
+ * @param rules the rule base
+ */
+public record FuzzySystem(
+    String name,
+    Type type,
+    Methods methods,
+    List<Variable> inputs,
+    List<Variable> outputs,
+    List<Rule> rules) {
+
+  /** What a rule's consequent is. */
+  public enum Type {
+    /** A fuzzy set. */
+    MAMDANI,
+    /** A constant or a weighted sum of the inputs. */
+    SUGENO
+  }
+
+  /**
+   * @throws IllegalArgumentException if something in it does not fit together; the message names it
+   */
+  public FuzzySystem {
+    inputs = List.copyOf(inputs);
+    outputs = List.copyOf(outputs);
+    rules = List.copyOf(rules);
+    if (inputs.isEmpty() || outputs.isEmpty()) {
+      throw new IllegalArgumentException(
+          "the system " + name + " has no " + (inputs.isEmpty() ? "input" : "output"));
+    }
+    if (methods.defuzzification().isOfSugeno() != (type == Type.SUGENO)) {
+      throw new IllegalArgumentException(
+          "the defuzzification "
+              + Methods.word(methods.defuzzification())
+              + " is not for a system of type "
+              + Methods.word(type));
+    }
+    inputs.forEach(FuzzySystem::requireSets);
+    for (Variable output : outputs) {
+      if (type == Type.MAMDANI) {
+        requireSets(output);
+      } else {
+        requireFunctions(output, inputs.size());
+      }
+    }
+    for (int i = 0; i < rules.size(); i++) {
+      require(rules.get(i), i + 1, type, inputs, outputs);
+    }
+  }
+
+  private static void requireSets(Variable variable) {
+    for (Term term : variable.terms()) {
+      if (!(term.function() instanceof Membership)) {
+        throw new IllegalArgumentException(
+            "the term "
+                + term.name()
+                + " of "
+                + variable.name()
+                + " is "
+                + term.function().word()
+                + ", which is only for the outputs of a Sugeno system");
+      }
+    }
+  }
+
+  private static void requireFunctions(Variable output, int inputs) {
+    for (Term term : output.terms()) {
+      if (!(term.function() instanceof LinearFunction function)) {
+        throw new IllegalArgumentException(
+            "the term "
+                + term.name()
+                + " of "
+                + output.name()
+                + " is "
+                + term.function().word()
+                + "; an output of a Sugeno system wants constant or linear");
+      }
+      int wanted = function.isConstant() ? 1 : inputs + 1;
+      if (function.parameters().size() != wanted) {
+        throw new IllegalArgumentException(
+            "the term "
+                + term.name()
+                + " of "
+                + output.name()
+                + " has "
+                + function.parameters().size()
+                + " parameters; linear wants one for each of the "
+                + inputs
+                + " inputs and a constant");
+      }
+    }
+  }
+
+  private static void require(
+      Rule rule, int number, Type type, List<Variable> inputs, List<Variable> outputs) {
+    String where = "rule " + number;
+    if (rule.antecedents().size() != inputs.size() || rule.consequents().size() != outputs.size()) {
+      throw new IllegalArgumentException(
+          where
+              + " names terms of "
+              + rule.antecedents().size()
+              + " inputs and "
+              + rule.consequents().size()
+              + " outputs; the system has "
+              + inputs.size()
+              + " and "
+              + outputs.size());
+    }
+    for (int i = 0; i < inputs.size(); i++) {
+      requireTerm(where, rule.antecedents().get(i), inputs.get(i));
+    }
+    for (int i = 0; i < outputs.size(); i++) {
+      requireTerm(where, rule.consequents().get(i), outputs.get(i));
+      if (type == Type.SUGENO && rule.consequents().get(i) < 0) {
+        throw new IllegalArgumentException(
+            where + " wants the opposite of a function, which a Sugeno system has not");
+      }
+    }
+  }
+
+  private static void requireTerm(String where, int term, Variable variable) {
+    if (Math.abs(term) > variable.terms().size()) {
+      throw new IllegalArgumentException(
+          where
+              + " names term "
+              + Math.abs(term)
+              + " of "
+              + variable.name()
+              + ", which has "
+              + variable.terms().size());
+    }
+  }
+
+  /**
+   * Reads a {@code .fis} file.
+   *
+   * @throws org.dfra.core.config.ConfigurationException naming file, line and word of what is wrong
+   */
+  public static FuzzySystem read(Path file) {
+    return FisReader.read(file);
+  }
+
+  /** Evaluates the system as MATLAB does. */
+  public Inference inference() {
+    return inference(Engine.MATLAB);
+  }
+
+  /** Evaluates the system as one of the toolboxes does. */
+  public Inference inference(Engine engine) {
+    return type == Type.MAMDANI
+        ? new MamdaniInference(this, engine)
+        : new SugenoInference(this, engine);
+  }
+}

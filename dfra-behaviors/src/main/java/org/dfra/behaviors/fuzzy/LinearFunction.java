@@ -1,0 +1,90 @@
+package org.dfra.behaviors.fuzzy;
+
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What a Sugeno system's rule gives: a constant, or a weighted sum of the inputs. Immutable. */
+public final class LinearFunction implements TermFunction {
+
+  /** The type's name where there is nothing but a constant. */
+  public static final String CONSTANT = "constant";
+
+  /** The type's name of a weighted sum. */
+  public static final String LINEAR = "linear";
+
+  private final boolean constant;
+  private final double[] parameters;
+
+  private LinearFunction(boolean constant, List<Double> parameters) {
+    this.constant = constant;
+    this.parameters = parameters.stream().mapToDouble(each -> each + 0.0).toArray(); // −0 is 0
+    if (!Arrays.stream(this.parameters).allMatch(Double::isFinite)) {
+      throw new IllegalArgumentException(word() + " wants finite numbers, not " + parameters);
+    }
+  }
+
+  /** The same for every input. */
+  public static LinearFunction constant(double value) {
+    return new LinearFunction(true, List.of(value));
+  }
+
+  /**
+   * A weighted sum.
+   *
+   * @param parameters a weight for each input, and at last what is added
+   */
+  public static LinearFunction linear(List<Double> parameters) {
+    if (parameters.isEmpty()) {
+      throw new IllegalArgumentException(
+          "linear wants a weight for each input and a constant, not nothing");
+    }
+    return new LinearFunction(false, parameters);
+  }
+
+  /** Whether it is the same for every input. */
+  public boolean isConstant() {
+    return constant;
+  }
+
+  @Override
+  public String word() {
+    return constant ? CONSTANT : LINEAR;
+  }
+
+  @Override
+  public List<Double> parameters() {
+    return Arrays.stream(parameters).boxed().toList();
+  }
+
+  /**
+   * Its value.
+   *
+   * @param inputs as many as it has weights; ignored by a constant
+   */
+  public double at(double[] inputs) {
+    double sum = 0;
+    int last = parameters.length - 1;
+    for (int i = 0; i < last; i++) {
+      sum += parameters[i] * inputs[i];
+    }
+    return sum + parameters[last];
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof LinearFunction that
+        && constant == that.constant
+        && Arrays.equals(parameters, that.parameters);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(parameters);
+  }
+
+  @Override
+  public String toString() {
+    return word() + parameters();
+  }
+}

@@ -1,0 +1,90 @@
+package org.dfra.behaviors.fuzzy;
+
+import java.util.List;
+
+/** The antecedents of a system's rules, laid out so that they fire quickly. */
+final class RuleBase {
+
+  private final Membership[] terms; // of all inputs, one after the other
+  private final int[] inputOfTerm;
+  private final double[] memberships; // of each term now; then of each term's opposite
+  private final int[][] antecedents; // for each rule, places in memberships
+  private final boolean[] isOr;
+  private final double[] weights;
+  private final Methods.And and;
+  private final Methods.Or or;
+  private final double[] strengths;
+
+  RuleBase(FuzzySystem system) {
+    this.and = system.methods().and();
+    this.or = system.methods().or();
+    int count = system.inputs().stream().mapToInt(input -> input.terms().size()).sum();
+    terms = new Membership[count];
+    inputOfTerm = new int[count];
+    memberships = new double[2 * count];
+    int[] first = new int[system.inputs().size()];
+    int next = 0;
+    for (int input = 0; input < first.length; input++) {
+      first[input] = next;
+      for (Term term : system.inputs().get(input).terms()) {
+        inputOfTerm[next] = input;
+        terms[next++] = (Membership) term.function();
+      }
+    }
+    List<Rule> rules = system.rules();
+    antecedents = new int[rules.size()][];
+    isOr = new boolean[rules.size()];
+    weights = new double[rules.size()];
+    strengths = new double[rules.size()];
+    for (int i = 0; i < rules.size(); i++) {
+      antecedents[i] = places(rules.get(i).antecedents(), first, count);
+      isOr[i] = rules.get(i).connective() == Rule.Connective.OR;
+      weights[i] = rules.get(i).weight();
+    }
+  }
+
+  private static int[] places(List<Integer> named, int[] first, int opposite) {
+    int[] places = new int[(int) named.stream().filter(each -> each != 0).count()];
+    int next = 0;
+    for (int input = 0; input < first.length; input++) {
+      int term = named.get(input);
+      if (term != 0) {
+        places[next++] = first[input] + Math.abs(term) - 1 + (term < 0 ? opposite : 0);
+      }
+    }
+    return places;
+  }
+
+  /** How strongly each rule fires. */
+  double[] fire(double[] inputs) {
+    for (int i = 0; i < terms.length; i++) {
+      double membership = terms[i].at(inputs[inputOfTerm[i]]);
+      memberships[i] = membership;
+      memberships[terms.length + i] = 1 - membership;
+    }
+    for (int i = 0; i < antecedents.length; i++) {
+      strengths[i] = weights[i] * (isOr[i] ? any(antecedents[i]) : all(antecedents[i]));
+    }
+    return strengths;
+  }
+
+  double[] strengths() {
+    return strengths;
+  }
+
+  private double all(int[] places) {
+    double strength = 1; // where nothing is asked for
+    for (int place : places) {
+      strength = and.of(strength, memberships[place]);
+    }
+    return strength;
+  }
+
+  private double any(int[] places) {
+    double strength = 0;
+    for (int place : places) {
+      strength = or.of(strength, memberships[place]);
+    }
+    return strength;
+  }
+}

@@ -1,0 +1,13 @@
+package org.dfra.behaviors.fuzzy;
+
+import java.util.List;
+
+/** What a term stands for: a fuzzy set, or in a Sugeno system's output a function of the inputs. */
+public sealed interface TermFunction permits Membership, LinearFunction {
+
+  /** The name of its type in a {@code .fis} file. */
+  String word();
+
+  /** Its parameters, in the order of a {@code .fis} file. */
+  List<Double> parameters();
+}

@@ -1,0 +1,14 @@
+/**
+ * Fuzzy inference as the MATLAB Fuzzy Logic Toolbox does it: Mamdani and Sugeno systems, read from
+ * {@code .fis} files.
+ *
+ * <pre>
+ *  .fis --FisReader--&gt; FuzzySystem --&gt; Inference: inputs -&gt; memberships -&gt; firing strengths
+ *                          |                          -&gt; implied and aggregated sets -&gt; outputs
+ *                      FisWriter --&gt; .fis
+ * </pre>
+ */
+@NullMarked
+package org.dfra.behaviors.fuzzy;
+
+import org.jspecify.annotations.NullMarked;
