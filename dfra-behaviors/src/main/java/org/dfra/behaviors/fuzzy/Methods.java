@@ -1,6 +1,7 @@
 package org.dfra.behaviors.fuzzy;
 
 import java.util.Locale;
+import java.util.function.DoubleBinaryOperator;
 
 /**
  * How a fuzzy system reckons.
@@ -29,88 +30,75 @@ public record Methods(
   /** Joins what must all hold. */
   public enum And {
     /** The least. */
-    MIN {
-      @Override
-      double of(double one, double other) {
-        return Math.min(one, other);
-      }
-    },
+    MIN(Math::min),
     /** The product. */
-    PROD {
-      @Override
-      double of(double one, double other) {
-        return one * other;
-      }
-    };
+    PROD(Methods::product);
 
-    abstract double of(double one, double other);
+    private final DoubleBinaryOperator operator;
+
+    And(DoubleBinaryOperator operator) {
+      this.operator = operator;
+    }
+
+    double of(double one, double other) {
+      return operator.applyAsDouble(one, other);
+    }
   }
 
   /** Joins what of which one must hold. */
   public enum Or {
     /** The greatest. */
-    MAX {
-      @Override
-      double of(double one, double other) {
-        return Math.max(one, other);
-      }
-    },
+    MAX(Math::max),
     /** The probabilistic or: a + b − a·b. */
-    PROBOR {
-      @Override
-      double of(double one, double other) {
-        return one + other - one * other;
-      }
-    };
+    PROBOR(Methods::probabilisticOr);
 
-    abstract double of(double one, double other);
+    private final DoubleBinaryOperator operator;
+
+    Or(DoubleBinaryOperator operator) {
+      this.operator = operator;
+    }
+
+    double of(double one, double other) {
+      return operator.applyAsDouble(one, other);
+    }
   }
 
-  /** Applies a firing strength to a consequent. */
+  /** Applies a firing strength, the first, to a membership of a consequent. */
   public enum Implication {
     /** Cuts it off. */
-    MIN {
-      @Override
-      double of(double strength, double membership) {
-        return Math.min(strength, membership);
-      }
-    },
+    MIN(Math::min),
     /** Scales it. */
-    PROD {
-      @Override
-      double of(double strength, double membership) {
-        return strength * membership;
-      }
-    };
+    PROD(Methods::product);
 
-    abstract double of(double strength, double membership);
+    private final DoubleBinaryOperator operator;
+
+    Implication(DoubleBinaryOperator operator) {
+      this.operator = operator;
+    }
+
+    double of(double one, double other) {
+      return operator.applyAsDouble(one, other);
+    }
   }
 
   /** Puts consequents together. */
   public enum Aggregation {
     /** The greatest. */
-    MAX {
-      @Override
-      double of(double one, double other) {
-        return Math.max(one, other);
-      }
-    },
+    MAX(Math::max),
     /** The sum. */
-    SUM {
-      @Override
-      double of(double one, double other) {
-        return one + other;
-      }
-    },
+    SUM(Double::sum),
     /** The probabilistic or: a + b − a·b. */
-    PROBOR {
-      @Override
-      double of(double one, double other) {
-        return one + other - one * other;
-      }
-    };
+    PROBOR(Methods::probabilisticOr);
 
-    abstract double of(double one, double other);
+    private final DoubleBinaryOperator operator;
+
+    Aggregation(DoubleBinaryOperator operator) {
+      this.operator = operator;
+    }
+
+    double of(double one, double other) {
+      return operator.applyAsDouble(one, other);
+    }
   }
 
   /** Makes a number of the result. */
@@ -134,6 +122,14 @@ public record Methods(
     public boolean isOfSugeno() {
       return this == WTAVER || this == WTSUM;
     }
+  }
+
+  private static double product(double one, double other) {
+    return one * other;
+  }
+
+  private static double probabilisticOr(double one, double other) {
+    return one + other - one * other;
   }
 
   /** A method's name in a {@code .fis} file. */
