@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.dfra.core.module.Examinations;
 import org.dfra.core.module.Examinations.Finding;
+import org.dfra.drivers.link.Heard;
 import org.dfra.drivers.link.LinkKeeper;
 
 /**
@@ -22,6 +23,12 @@ import org.dfra.drivers.link.LinkKeeper;
  * <p>The rest is for the drivers' own examinations.
  */
 public final class ReceiverExamination {
+
+  /** The link was opened. */
+  static final String OPENING = "opening";
+
+  /** The receiver told a solution, with a position or without. */
+  static final String SOLUTION = "solution";
 
   /** Satellites that a position takes. */
   private static final int ENOUGH = 4;
@@ -86,7 +93,7 @@ public final class ReceiverExamination {
   /** Waits for the next solution. */
   public Finding solution(String good) throws InterruptedException {
     Duration patience = pace.longestAge();
-    return heard.await(Heard.SOLUTION, heard.sofar(Heard.SOLUTION), patience)
+    return heard.await(SOLUTION, heard.sofar(SOLUTION), patience)
         ? new Finding(true, good)
         : new Finding(false, "no position frame has come within " + seconds(patience));
   }
@@ -119,9 +126,9 @@ public final class ReceiverExamination {
   }
 
   private Finding reopenLink() throws InterruptedException {
-    long before = heard.sofar(Heard.OPENING);
+    long before = heard.sofar(OPENING);
     keeper.reopen();
-    return heard.await(Heard.OPENING, before, REOPENING)
+    return heard.await(OPENING, before, REOPENING)
         ? solution("the link was closed and opened again, and the receiver speaks")
         : new Finding(
             false,

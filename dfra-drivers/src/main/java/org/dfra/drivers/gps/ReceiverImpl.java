@@ -8,8 +8,10 @@ import java.util.function.Function;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.link.Heard;
 import org.dfra.drivers.link.LinkAddress;
 import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
@@ -103,7 +105,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
     super(context, kind.description(), "DFRA", "1.0", List.of("GpsFix"), kind.preconditions());
-    LinkAddress address = ReceiverSettings.link(settings());
+    LinkAddress address = LinkSettings.address(settings());
     this.kind = kind;
     this.pace = pace;
     this.ticker = ticker;
@@ -117,7 +119,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
             context.name(),
             source == null ? () -> address.open(ticker) : source,
             dialogue,
-            ReceiverSettings.backOff(settings()),
+            LinkSettings.backOff(settings()),
             ticker,
             log);
     this.examination =
@@ -282,7 +284,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
     @Override
     public void solved(Solution solution) {
       dialogue.solved(solution);
-      heard.count(Heard.SOLUTION);
+      heard.count(ReceiverExamination.SOLUTION);
       Instant now = clock().instant();
       GpsFix fix = solution.fix();
       Snapshot last = snapshot;
@@ -348,7 +350,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
     public void opened() {
       toldMalformed = false;
       satellites = List.of();
-      heard.count(Heard.OPENING);
+      heard.count(ReceiverExamination.OPENING);
     }
 
     @Override

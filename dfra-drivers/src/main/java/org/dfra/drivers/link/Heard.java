@@ -1,34 +1,31 @@
-package org.dfra.drivers.gps;
+package org.dfra.drivers.link;
 
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
-import org.dfra.drivers.link.Ticker;
 
 /**
- * Counts what a receiver has said, by any name (a message's ID, or one of the constants), for those
- * who wait for the next.
+ * Counts what a device has said or what became of its link, by any name (a message's ID, say), for
+ * those who wait for the next: tests and recoveries. Safe for use by several threads.
  */
 public final class Heard {
-
-  /** The link was opened. */
-  public static final String OPENING = "opening";
-
-  /** The receiver told a solution, with a position or without. */
-  public static final String SOLUTION = "solution";
 
   private final Ticker ticker;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition heard = lock.newCondition();
   private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
 
-  Heard(Ticker ticker) {
+  /**
+   * @param ticker the time to wait by
+   */
+  public Heard(Ticker ticker) {
     this.ticker = ticker;
   }
 
-  void count(String what) {
+  /** One more has come. */
+  public void count(String what) {
     lock.lock();
     try {
       counts.merge(what, 1L, Long::sum);

@@ -1,16 +1,19 @@
-package org.dfra.drivers.gps;
+package org.dfra.drivers.link;
 
 import java.time.Duration;
 import org.dfra.core.config.Parameters;
-import org.dfra.drivers.link.BackOff;
-import org.dfra.drivers.link.LinkAddress;
 
-/** Reads the parameters that all receivers have. */
-final class ReceiverSettings {
+/** Reads the parameters that every driver of a device behind a link has. */
+public final class LinkSettings {
 
-  private ReceiverSettings() {}
+  private LinkSettings() {}
 
-  static LinkAddress link(Parameters parameters) {
+  /**
+   * {@code link}: where the device is; required.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if it is not set or is no link's URL
+   */
+  public static LinkAddress address(Parameters parameters) {
     try {
       return LinkAddress.parse(parameters.text("link"));
     } catch (IllegalArgumentException e) {
@@ -18,7 +21,13 @@ final class ReceiverSettings {
     }
   }
 
-  static BackOff backOff(Parameters parameters) {
+  /**
+   * {@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
+   * again, at first and at most, 0.01 to 3600; default 0.5 and 8.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if they are set to anything else
+   */
+  public static BackOff backOff(Parameters parameters) {
     Duration shortest = Duration.ofMillis(10);
     Duration hour = Duration.ofHours(1);
     Duration first = parameters.seconds("reopen_first", Duration.ofMillis(500), shortest, hour);

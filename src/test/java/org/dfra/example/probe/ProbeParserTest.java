@@ -1,0 +1,91 @@
+package org.dfra.example.probe;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.dfra.drivers.frame.StreamCounts;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ProbeParserTest {
+
+  private final List<Double> told = new ArrayList<>();
+  private final ProbeParser parser = new ProbeParser(told::add);
+
+  /** Two seeds that never change and one that always does; a failing test shows its own. */
+  static long[] seeds() {
+    return new long[] {1, 2, new Random().nextLong()};
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {21.5, 0, -0.25, -55, 125})
+  void readsWhatTheProbeTells(double celsius) {
+    feed(ProbeDevice.line(celsius));
+    assertThat(told).containsExactly(celsius);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"T+125.01", "T-055.01", "T---.---", "T+1E1.00", "T+NaN.00"})
+  void countsAnIntactLineThatTellsNoTemperature(String text) {
+    feed(ProbeDevice.checked(text.substring(0, 8)));
+    assertThat(told).containsExactly(Double.NaN);
+    assertThat(parser.counts()).isEqualTo(new StreamCounts(1, 0, 1));
+  }
+
+  @ParameterizedTest(name = "seed {0}")
+  @MethodSource("seeds")
+  void isInStepAgainByTheNextIntactLineAfterAnyGarbage(long seed) {
+    Random random = new Random(seed);
+    ByteArrayOutputStream stream = new ByteArrayOutputStream();
+    List<Double> expected = new ArrayList<>();
+    while (expected.size() < 5_000) {
+      byte[] garbage = new byte[random.nextInt(30)];
+      for (int i = 0; i < garbage.length; i++) {
+        garbage[i] = (byte) "T+-0.*\nP".charAt(random.nextInt(8)); // the worst there is
+      }
+      stream.writeBytes(garbage);
+      double celsius = Math.rint(random.nextDouble() * 100) / 4;
+      stream.writeBytes(ProbeDevice.line(celsius));
+      expected.add(celsius);
+    }
+    byte[] bytes = stream.toByteArray();
+    for (int at = 0, part; at < bytes.length; at += part) {
+      part = Math.min(1 + random.nextInt(40), bytes.length - at);
+      parser.feed(bytes, at, part);
+    }
+    parser.finish();
+    // No line can hide in this garbage: it has one digit, 0, and a right line of zeros and signs
+    // says 5 or 3 in its checksum.
+    assertThat(told).isEqualTo(expected);
+    assertThat(parser.counts().droppedBytes()).isEqualTo(bytes.length - 12L * expected.size());
+  }
+
+  @ParameterizedTest(name = "seed {0}")
+  @MethodSource("seeds")
+  void neverThrowsOnNoise(long seed) {
+    byte[] noise = new byte[200_000];
+    new Random(seed).nextBytes(noise);
+    feed(noise);
+    StreamCounts counts = parser.counts();
+    assertThat(counts.droppedBytes() + 12 * counts.frames()).isEqualTo(noise.length);
+  }
+
+  @Test
+  void tellsALineWithItsLastByte() {
+    byte[] line = ProbeDevice.line(21.5);
+    parser.feed(line, 0, 11);
+    assertThat(told).isEmpty();
+    parser.feed(line, 11, 1);
+    assertThat(told).hasSize(1);
+  }
+
+  private void feed(byte[] bytes) {
+    parser.feed(bytes, 0, bytes.length);
+    parser.finish();
+  }
+}

@@ -1,0 +1,190 @@
+package org.dfra.example.probe;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.link.Heard;
+import org.dfra.drivers.link.LinkAddress;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.LinkSettings;
+import org.dfra.drivers.link.LinkUser;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.example.thermometer.TemperatureReading;
+import org.dfra.example.thermometer.Thermometer;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A temperature probe on a serial line. Parameters: {@code link}, {@code reopen_first} and {@code
+ * reopen_longest} as {@link LinkSettings}; {@code period} and {@code idle_period}, seconds from one
+ * reading to the next, 1 to 60, with clients and when the last has gone, default 1 and 10.
+ *
+ * <p>Threads: one reader, owned by a {@link LinkKeeper}; askers see what it wrote last.
+ */
+public final class ProbeThermometerImpl extends SensorImpl implements Thermometer {
+
+  private final Ticker ticker;
+  private final Heard heard;
+  private final LinkKeeper keeper;
+  private final double idlePeriod;
+  private volatile double period; // seconds
+  private volatile boolean idle;
+
+  // written by the reader, read by anyone
+  private volatile @Nullable TemperatureReading latest; // null: none to be served
+  private volatile StreamCounts counts = StreamCounts.ZERO;
+  private volatile String awaits = "it has not been started";
+
+  /** Called by the module's server. */
+  public ProbeThermometerImpl(ModuleContext context) {
+    super(
+        context,
+        "Probe",
+        "you",
+        "1.0",
+        List.of("TemperatureReading"),
+        List.of(new Precondition("temperature", -55, 125, "°C")));
+    period = settings().number("period", 1, 1, 60);
+    idlePeriod = settings().number("idle_period", 10, 1, 60);
+    ticker = Ticker.of(clock());
+    heard = new Heard(ticker);
+    LinkAddress address = LinkSettings.address(settings());
+    keeper =
+        new LinkKeeper(
+            context.name(),
+            () -> address.open(ticker),
+            new Reader(),
+            LinkSettings.backOff(settings()),
+            ticker,
+            log);
+    Range range = Range.of(1, 60, "s");
+    declared().number("period", "between readings", range, () -> period, s -> period = s);
+    declared().show("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
+    declared().show("malformed", "lines of no temperature", () -> "" + counts.malformed());
+    examinations().test("readings", this::readings);
+    examinations().recovery("reopen_link", this::reopenLink);
+  }
+
+  @Override
+  protected void onStart() {
+    awaits = "its link is being opened";
+    keeper.start();
+  }
+
+  @Override
+  protected void onClose() {
+    keeper.close(); // the reader has ended
+    latest = null;
+    awaits = "it has ended";
+  }
+
+  @Override
+  protected void onClients(int number) {
+    idle = number == 0; // the reader tells the probe
+  }
+
+  @Override
+  public double updateRate() {
+    return 1 / seconds();
+  }
+
+  @Override
+  public double celsius() {
+    TemperatureReading last = latest;
+    if (last == null) {
+      throw new NotReadyException(path(), readiness(), awaits);
+    }
+    return last.celsius();
+  }
+
+  private double seconds() {
+    return idle ? Math.max(period, idlePeriod) : period;
+  }
+
+  private Duration patience() {
+    return Duration.ofMillis(Math.round(3000 * seconds()) + 2000);
+  }
+
+  private Finding readings() throws InterruptedException {
+    return heard.await("reading", heard.sofar("reading"), patience())
+        ? new Finding(true, "the probe tells its temperature")
+        : new Finding(
+            false, "no temperature within " + patience().toMillis() / 1e3 + " s: " + awaits);
+  }
+
+  private Finding reopenLink() throws InterruptedException {
+    long before = heard.sofar("opening");
+    keeper.reopen();
+    return heard.await("opening", before, Duration.ofSeconds(10))
+        ? readings()
+        : new Finding(false, "the link could not be opened again: " + keeper.trouble());
+  }
+
+  /** What is done with the link; on the reader's thread, so nothing here may block. */
+  private final class Reader implements LinkUser {
+
+    private final ProbeParser parser = new ProbeParser(this::take);
+    private double ordered; // seconds that the probe was last set to; 0: none yet
+    private long patientSince;
+
+    @Override
+    public void opened(SerialLink link) {
+      awaits = link + " is open, no temperature has come yet";
+      ordered = 0; // it may have been switched off meanwhile, or be another one
+      heard.count("opening");
+    }
+
+    @Override
+    public boolean received(byte[] bytes, int length) {
+      long before = counts.frames();
+      parser.feed(bytes, 0, length);
+      counts = parser.counts();
+      return counts.frames() > before;
+    }
+
+    @Override
+    public @Nullable String tend(SerialLink link) throws IOException {
+      if (ordered != seconds()) {
+        ordered = seconds();
+        link.write(ProbeParser.order(ordered));
+        patientSince = ticker.nanos();
+      }
+      boolean lost = ticker.nanos() - patientSince > patience().toNanos();
+      return lost ? "no temperature for " + patience().toMillis() / 1e3 + " s" : null;
+    }
+
+    @Override
+    public void lost(String reason) {
+      parser.finish(); // what comes next is another stream
+      counts = parser.counts();
+      awaits = reason;
+      latest = null;
+      if (readiness().serves()) {
+        become(Readiness.INITIALIZING, reason); // enters the history as a failure
+      }
+    }
+
+    private void take(double celsius) {
+      if (Double.isNaN(celsius)) {
+        log.debug("an intact line tells no temperature from -55 to 125 °C");
+        return;
+      }
+      patientSince = ticker.nanos();
+      TemperatureReading reading = new TemperatureReading(celsius, clock().instant());
+      latest = reading;
+      heard.count("reading");
+      if (readiness() == Readiness.INITIALIZING) {
+        become(Readiness.READY);
+      }
+      tell(reading);
+    }
+  }
+}
