@@ -6,7 +6,6 @@ import java.util.concurrent.Callable;
 import org.dfra.app.event.Listening.Ear;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -47,20 +46,16 @@ final class EchoCommand implements Callable<Integer> {
       description = "Events kept while the terminal is busy (default ${DEFAULT-VALUE}).")
   private int depth = 64;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
     long count = listening.count();
     Duration time = listening.time();
     DeliveryPolicy policy = listening.policy(EnumSet.allOf(Kind.class), depth, rate);
     Lines lines = new Lines();
-    try (Team team = options.open();
+    try (Team team = module.open();
         Listening open = new Listening(module.in(team), lines, count)) {
       long lost = open.run(policy, time);
-      options
+      module
           .answer()
           .remark(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");
     }
@@ -78,14 +73,14 @@ final class EchoCommand implements Callable<Integer> {
     public boolean hear(Delivery delivery, long lost) {
       EventLine line = EventLine.of(delivery, lost - lostBefore);
       lostBefore = lost;
-      options.answer().line(line, line.inWords());
+      module.answer().line(line, line.inWords());
       shown++;
-      return options.answer().isRead();
+      return module.answer().isRead();
     }
 
     @Override
     public boolean tick(long lost) {
-      return options.answer().isRead();
+      return module.answer().isRead();
     }
   }
 }

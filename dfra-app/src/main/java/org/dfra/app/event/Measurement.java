@@ -6,7 +6,6 @@ import java.util.concurrent.Callable;
 import org.dfra.app.event.Listening.Ear;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -36,10 +35,6 @@ abstract class Measurement implements Callable<Integer> {
       description = "Measure over the last N events (default ${DEFAULT-VALUE}).")
   private int window = 100;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
@@ -65,7 +60,7 @@ abstract class Measurement implements Callable<Integer> {
         listening.policy(
             EnumSet.of(Kind.READING), DeliveryPolicy.DEEPEST, Double.POSITIVE_INFINITY);
     Meter meter = new Meter();
-    try (Team team = options.open();
+    try (Team team = module.open();
         Listening open = new Listening(module.in(team), meter, count)) {
       meter.tell(open.run(policy, time));
     }
@@ -91,11 +86,11 @@ abstract class Measurement implements Callable<Integer> {
     @Override
     public boolean tick(long lost) {
       tell(lost);
-      return options.answer().isRead();
+      return module.answer().isRead();
     }
 
     synchronized void tell(long lost) {
-      options.answer().line(value(events, lost), sentence(lost));
+      module.answer().line(value(events, lost), sentence(lost));
       toldAt = events.events();
     }
 

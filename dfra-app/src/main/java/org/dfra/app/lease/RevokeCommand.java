@@ -7,7 +7,6 @@ import java.util.stream.Collectors;
 import org.dfra.app.team.Administration;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
@@ -39,13 +38,9 @@ final class RevokeCommand implements Callable<Integer> {
       description = "The lease, or how its name begins; ./dfra lease list tells it.")
   private String lease = "";
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
       ModuleAdmin admin = Administration.of(listing);
       LeaseView found = find(listing.path(), admin.leases());
@@ -53,7 +48,7 @@ final class RevokeCommand implements Callable<Integer> {
         throw new CommandFailure(
             ExitCode.NOT_FOUND, "lease " + found.shortId() + " has just ended by itself");
       }
-      options
+      module
           .answer()
           .sentence(
               Map.of("module", listing.path(), "lease", found.id(), "revoked", true),

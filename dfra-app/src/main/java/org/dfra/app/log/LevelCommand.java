@@ -4,7 +4,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.LogLevel;
@@ -32,19 +31,15 @@ final class LevelCommand implements Callable<Integer> {
       description = "One of ${COMPLETION-CANDIDATES}; each includes those after it.")
   private @Nullable LogLevel level;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
       if (level != null) {
         listing.module().setLogLevel(level);
       }
       LogLevel now = listing.module().logLevel();
-      options
+      module
           .answer()
           .sentence(
               Map.of("module", listing.path(), "level", now),

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Idempotent;
@@ -41,13 +40,9 @@ final class CallCommand implements Callable<Integer> {
   @Parameters(index = "2..*", paramLabel = "ARGUMENT", description = "What it is called with.")
   private List<String> arguments = new ArrayList<>();
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       Calls calls = new Calls(module.in(team).module());
       if (method == null) {
         list(calls);
@@ -55,7 +50,7 @@ final class CallCommand implements Callable<Integer> {
       }
       Object answer = calls.call(method, arguments);
       if (answer != null) {
-        options.answer().outline(answer);
+        module.answer().outline(answer);
       }
       return ExitCode.WELL;
     }
@@ -70,6 +65,6 @@ final class CallCommand implements Callable<Integer> {
       table.row(Calls.signature(each), type.replace("void", "-"), isRepeated ? "yes" : "no");
       values.add(Map.of("method", Calls.signature(each), "answer", type, "idempotent", isRepeated));
     }
-    options.answer().table(values, table, "");
+    module.answer().table(values, table, "");
   }
 }

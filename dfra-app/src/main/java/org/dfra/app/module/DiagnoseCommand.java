@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Diagnosable;
@@ -33,13 +32,9 @@ final class DiagnoseCommand implements Callable<Integer> {
       description = "Which one; without it, all.")
   private @Nullable String test;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       Diagnosable asked = Diagnosables.of(module.in(team));
       List<String> tests = asked.tests();
       List<Diagnosis> results = new ArrayList<>();
@@ -54,7 +49,7 @@ final class DiagnoseCommand implements Callable<Integer> {
                   each.passed() ? "passed" : "FAILED",
                   String.format(Locale.ROOT, "%.1f s", each.took().toNanos() / 1e9),
                   each.finding()));
-      options.answer().table(results, table, module.name() + " has no tests.");
+      module.answer().table(results, table, module.name() + " has no tests.");
       return results.stream().allMatch(Diagnosis::passed) ? ExitCode.WELL : ExitCode.FAILED;
     }
   }

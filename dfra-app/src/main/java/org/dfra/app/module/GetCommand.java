@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
@@ -30,13 +29,9 @@ final class GetCommand implements Callable<Integer> {
       description = "Which one; without it, all.")
   private @Nullable String parameter;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       List<Parameter> all = module.in(team).module().parameters();
       String wanted = parameter;
       if (wanted == null) {
@@ -45,14 +40,14 @@ final class GetCommand implements Callable<Integer> {
             each ->
                 table.row(
                     each.name(), each.text(), each.settable() ? "yes" : "no", each.meaning()));
-        options.answer().table(all, table, module.name() + " has no parameters.");
+        module.answer().table(all, table, module.name() + " has no parameters.");
       } else {
         Parameter found =
             all.stream()
                 .filter(each -> each.name().equals(wanted))
                 .findFirst()
                 .orElseThrow(() -> new CommandFailure(ExitCode.NOT_FOUND, unknown(all, wanted)));
-        options.answer().sentence(found, found.text());
+        module.answer().sentence(found, found.text());
       }
       return ExitCode.WELL;
     }

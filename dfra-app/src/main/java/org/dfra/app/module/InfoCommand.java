@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Diagnosable;
@@ -25,13 +24,9 @@ final class InfoCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private ModuleArgument module;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
       Module asked = listing.module();
       Identification identification = asked.identification();
@@ -58,7 +53,7 @@ final class InfoCommand implements Callable<Integer> {
         entries.put(each.getClass().getSimpleName().replace(SUFFIX, ""), each);
       }
       info.put("entries", entries);
-      options.answer().outline(info);
+      module.answer().outline(info);
       return ExitCode.WELL;
     }
   }

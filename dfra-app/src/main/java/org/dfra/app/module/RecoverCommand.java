@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Diagnosable;
@@ -32,24 +31,20 @@ final class RecoverCommand implements Callable<Integer> {
       description = "Which one; without it, all are listed.")
   private @Nullable String recovery;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       Diagnosable asked = Diagnosables.of(module.in(team));
       List<String> recoveries = asked.recoveries();
       if (recovery == null) {
         Table table = new Table("RECOVERY");
         recoveries.forEach(table::row);
-        options.answer().table(recoveries, table, module.name() + " has no recoveries.");
+        module.answer().table(recoveries, table, module.name() + " has no recoveries.");
         return ExitCode.WELL;
       }
       Diagnosis result =
           asked.recover(Diagnosables.known(module.name(), "recovery", recoveries, recovery));
-      options
+      module
           .answer()
           .sentence(
               result,

@@ -3,7 +3,6 @@ package org.dfra.app.module;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
@@ -26,18 +25,14 @@ final class SetCommand implements Callable<Integer> {
   @Parameters(index = "2", paramLabel = "VALUE", description = "Its new value.")
   private String value = "";
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
       listing.module().setParameter(parameter, value);
       for (Parameter each : listing.module().parameters()) {
         if (each.name().equals(parameter)) {
-          options
+          module
               .answer()
               .sentence(each, listing.path() + ": " + parameter + " is " + each.text() + ".");
         }

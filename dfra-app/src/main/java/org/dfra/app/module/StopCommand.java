@@ -5,7 +5,6 @@ import java.util.concurrent.Callable;
 import org.dfra.app.team.Administration;
 import org.dfra.app.team.ModuleArgument;
 import org.dfra.app.team.Team;
-import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
@@ -27,16 +26,12 @@ final class StopCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private ModuleArgument module;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private TeamOptions options;
-
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
+    try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
       Administration.of(listing).deactivate();
-      options
+      module
           .answer()
           .sentence(
               Map.of("module", listing.path(), "stopped", true),

@@ -1,10 +1,13 @@
 package org.dfra.app.team;
 
+import java.io.IOException;
+import org.dfra.app.terminal.Answer;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** The module that a command is about. A picocli mix-in. */
+/** The module that a command is about, and where it is looked for. A picocli mix-in. */
 public final class ModuleArgument {
 
   @Parameters(
@@ -13,9 +16,23 @@ public final class ModuleArgument {
       description = "The module; the robot may be left out where only one has such a module.")
   private String name = "";
 
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
   /** As it was written. */
   public String name() {
     return name;
+  }
+
+  /** How the command answers. */
+  public Answer answer() {
+    return options.answer();
+  }
+
+  /** Begins to look for it. */
+  public Team open() throws IOException {
+    return options.open();
   }
 
   /** The module. */
