@@ -1,11 +1,8 @@
 package org.dfra.example.probe;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.util.List;
-import org.dfra.core.module.Examinations.Finding;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.link.Heard;
@@ -31,12 +28,12 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ProbeThermometerImpl extends SensorImpl implements Thermometer {
 
+  private static final Precondition AIR = new Precondition("temperature", -55, 125, "°C");
+
   private final Ticker ticker;
   private final Heard heard;
   private final LinkKeeper keeper;
-  private final double idlePeriod;
-  private volatile double period; // seconds
-  private volatile boolean idle;
+  private final ProbePace pace;
 
   // written by the reader, read by anyone
   private volatile @Nullable TemperatureReading latest; // null: none to be served
@@ -45,15 +42,8 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
 
   /** Called by the module's server. */
   public ProbeThermometerImpl(ModuleContext context) {
-    super(
-        context,
-        "Probe",
-        "you",
-        "1.0",
-        List.of("TemperatureReading"),
-        List.of(new Precondition("temperature", -55, 125, "°C")));
-    period = settings().number("period", 1, 1, 60);
-    idlePeriod = settings().number("idle_period", 10, 1, 60);
+    super(context, "Probe", "you", "1.0", List.of("TemperatureReading"), List.of(AIR));
+    pace = new ProbePace(settings());
     ticker = Ticker.of(clock());
     heard = new Heard(ticker);
     LinkAddress address = LinkSettings.address(settings());
@@ -65,12 +55,10 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
             LinkSettings.backOff(settings()),
             ticker,
             log);
-    Range range = Range.of(1, 60, "s");
-    declared().number("period", "between readings", range, () -> period, s -> period = s);
+    pace.declareIn(declared());
     declared().show("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
     declared().show("malformed", "lines of no temperature", () -> "" + counts.malformed());
-    examinations().test("readings", this::readings);
-    examinations().recovery("reopen_link", this::reopenLink);
+    new ProbeExamination(keeper, heard, pace).declareIn(examinations());
   }
 
   @Override
@@ -88,12 +76,12 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
 
   @Override
   protected void onClients(int number) {
-    idle = number == 0; // the reader tells the probe
+    pace.rest(number == 0); // the reader tells the probe
   }
 
   @Override
   public double updateRate() {
-    return 1 / seconds();
+    return 1 / pace.seconds();
   }
 
   @Override
@@ -103,29 +91,6 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       throw new NotReadyException(path(), readiness(), awaits);
     }
     return last.celsius();
-  }
-
-  private double seconds() {
-    return idle ? Math.max(period, idlePeriod) : period;
-  }
-
-  private Duration patience() {
-    return Duration.ofMillis(Math.round(3000 * seconds()) + 2000);
-  }
-
-  private Finding readings() throws InterruptedException {
-    return heard.await("reading", heard.sofar("reading"), patience())
-        ? new Finding(true, "the probe tells its temperature")
-        : new Finding(
-            false, "no temperature within " + patience().toMillis() / 1e3 + " s: " + awaits);
-  }
-
-  private Finding reopenLink() throws InterruptedException {
-    long before = heard.sofar("opening");
-    keeper.reopen();
-    return heard.await("opening", before, Duration.ofSeconds(10))
-        ? readings()
-        : new Finding(false, "the link could not be opened again: " + keeper.trouble());
   }
 
   /** What is done with the link; on the reader's thread, so nothing here may block. */
@@ -139,7 +104,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     public void opened(SerialLink link) {
       awaits = link + " is open, no temperature has come yet";
       ordered = 0; // it may have been switched off meanwhile, or be another one
-      heard.count("opening");
+      heard.count(ProbeExamination.OPENING);
     }
 
     @Override
@@ -152,13 +117,13 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
 
     @Override
     public @Nullable String tend(SerialLink link) throws IOException {
-      if (ordered != seconds()) {
-        ordered = seconds();
+      if (ordered != pace.seconds()) {
+        ordered = pace.seconds();
         link.write(ProbeParser.order(ordered));
         patientSince = ticker.nanos();
       }
-      boolean lost = ticker.nanos() - patientSince > patience().toNanos();
-      return lost ? "no temperature for " + patience().toMillis() / 1e3 + " s" : null;
+      boolean lost = ticker.nanos() - patientSince > pace.patience().toNanos();
+      return lost ? "no temperature for " + pace.patienceInWords() : null;
     }
 
     @Override
@@ -180,7 +145,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       patientSince = ticker.nanos();
       TemperatureReading reading = new TemperatureReading(celsius, clock().instant());
       latest = reading;
-      heard.count("reading");
+      heard.count(ProbeExamination.READING);
       if (readiness() == Readiness.INITIALIZING) {
         become(Readiness.READY);
       }

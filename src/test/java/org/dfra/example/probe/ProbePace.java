@@ -1,0 +1,47 @@
+package org.dfra.example.probe;
+
+import java.time.Duration;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ParameterTable;
+import org.dfra.core.module.ParameterTable.Range;
+
+/**
+ * How often the probe tells its temperature: the parameters {@code period} and {@code idle_period}.
+ * Safe for use by several threads.
+ */
+final class ProbePace {
+
+  private static final Range RANGE = Range.of(1, 60, "s");
+
+  private final double idlePeriod;
+  private volatile double period;
+  private volatile boolean rests;
+
+  ProbePace(Parameters written) {
+    period = written.number("period", 1, 1, 60);
+    idlePeriod = written.number("idle_period", 10, 1, 60);
+  }
+
+  void declareIn(ParameterTable table) {
+    table.number("period", "between readings", RANGE, () -> period, value -> period = value);
+  }
+
+  void rest(boolean whether) {
+    rests = whether;
+  }
+
+  /** Seconds from one reading to the next, as wanted now. */
+  double seconds() {
+    return rests ? Math.max(period, idlePeriod) : period;
+  }
+
+  /** How long the probe may be silent: three periods and 2 s. */
+  Duration patience() {
+    return Duration.ofMillis(Math.round(3000 * seconds()) + 2000);
+  }
+
+  /** The same for people: {@code 5.0 s}. */
+  String patienceInWords() {
+    return patience().toMillis() / 1e3 + " s";
+  }
+}
