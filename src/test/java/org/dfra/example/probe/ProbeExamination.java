@@ -23,9 +23,10 @@ record ProbeExamination(LinkKeeper keeper, Heard heard, ProbePace pace) {
     if (!keeper.isOpen()) {
       return new Finding(false, "the link is not open: " + keeper.trouble());
     }
-    return heard.await(READING, heard.sofar(READING), pace.patience())
+    Duration patience = ProbePace.patience(pace.seconds());
+    return heard.await(READING, heard.sofar(READING), patience)
         ? new Finding(true, "the probe tells its temperature")
-        : new Finding(false, "no temperature has come within " + pace.patienceInWords());
+        : new Finding(false, "no temperature has come within " + ProbePace.inWords(patience));
   }
 
   private Finding reopenLink() throws InterruptedException {

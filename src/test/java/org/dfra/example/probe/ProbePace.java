@@ -35,13 +35,17 @@ final class ProbePace {
     return rests ? Math.max(period, idlePeriod) : period;
   }
 
-  /** How long the probe may be silent: three periods and 2 s. */
-  Duration patience() {
-    return Duration.ofMillis(Math.round(3000 * seconds()) + 2000);
+  /**
+   * How long a probe that was set to this pace may be silent: three periods and 2 s.
+   *
+   * @param seconds from one reading to the next
+   */
+  static Duration patience(double seconds) {
+    return Duration.ofMillis(Math.round(3000 * seconds) + 2000);
   }
 
-  /** The same for people: {@code 5.0 s}. */
-  String patienceInWords() {
-    return patience().toMillis() / 1e3 + " s";
+  /** For people: {@code 5.0 s}. */
+  static String inWords(Duration patience) {
+    return patience.toMillis() / 1e3 + " s";
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.example.probe;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
@@ -117,13 +118,15 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
 
     @Override
     public @Nullable String tend(SerialLink link) throws IOException {
-      if (ordered != pace.seconds()) {
-        ordered = pace.seconds();
+      double wanted = pace.seconds(); // once: others may change it meanwhile
+      if (ordered != wanted) {
+        ordered = wanted;
         link.write(ProbeParser.order(ordered));
         patientSince = ticker.nanos();
       }
-      boolean lost = ticker.nanos() - patientSince > pace.patience().toNanos();
-      return lost ? "no temperature for " + pace.patienceInWords() : null;
+      Duration patience = ProbePace.patience(ordered);
+      boolean lost = ticker.nanos() - patientSince > patience.toNanos();
+      return lost ? "no temperature for " + ProbePace.inWords(patience) : null;
     }
 
     @Override
