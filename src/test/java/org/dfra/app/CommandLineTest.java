@@ -40,16 +40,15 @@ class CommandLineTest {
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is persona, foundation; see: ./dfra demo --help",
         "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
-        "up --port=abc"
-            + " | invalid value for option '--port': 'abc' is not an int; see: ./dfra up --help",
+        "up --port=abc" + " | --port=abc is not a whole number; see: ./dfra up --help",
         "up --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra up --help",
         "down --port=99999"
             + " | --port=99999 is not a port from 1 to 65535; see: ./dfra down --help",
         "module | module needs a verb; there is add, call, diagnose, get, info, kill, list, recover,"
             + " remove, replace, set, start, stop",
-        "module lst"
-            + " | there is no verb \"module lst\"; there is add, call, diagnose, get, info, kill,"
-            + " list, recover, remove, replace, set, start, stop",
+        "module lst" + " | there is no verb \"module lst\"; did you mean \"list\"?",
+        "help modul | there is no verb \"modul\"; did you mean \"module\"?",
+        "help module lst | there is no verb \"module lst\"; did you mean \"list\"?",
         "module list --frobnicate"
             + " | unknown option: '--frobnicate'; see: ./dfra module list --help",
         "module list --wait=-1"
@@ -58,8 +57,8 @@ class CommandLineTest {
         "persona | persona needs a verb; there is find, list, show",
         "persona find | missing required parameter: 'QUERY'; see: ./dfra persona find --help",
         "event echo gps --kind=loud"
-            + " | invalid value for option '--kind' (KIND[,...]): expected one of [READINESS, READING,"
-            + " PARAMETER, INCIDENT] (case-insensitive) but was 'loud'; see: ./dfra event echo --help",
+            + " | --kind cannot be \"loud\"; it is one of readiness, reading, parameter, incident;"
+            + " see: ./dfra event echo --help",
         "event echo gps --depth=0"
             + " | depth 0 is outside 1 to 1024; see: ./dfra event echo --help",
         "event echo gps --rate=0 | rate 0.0 Hz is not above 0; see: ./dfra event echo --help",
@@ -69,9 +68,8 @@ class CommandLineTest {
         "event bw gps --window=1"
             + " | --window=1 is not a number from 2 to 100000; see: ./dfra event bw --help",
         "log level gps loud"
-            + " | invalid value for positional parameter at index 1 (LEVEL): expected one of [TRACE,"
-            + " DEBUG, INFO, WARN, ERROR] (case-insensitive) but was 'loud'; see: ./dfra log level"
-            + " --help",
+            + " | LEVEL cannot be \"loud\"; it is one of trace, debug, info, warn, error; see: ./dfra"
+            + " log level --help",
         "up --registry-port=-2"
             + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra up --help",
       })
@@ -96,6 +94,7 @@ class CommandLineTest {
         "help",
         "demo --help",
         "help demo",
+        "help module call",
         "up --help",
         "module -h",
         "module call --help",

@@ -100,7 +100,7 @@ class RobotVerbsIT {
       assertThat(listed).hasSize(1);
       assertThat(listed.get(0).get("kinds").get(0).asText()).isEqualTo("Thermometer");
       assertThat(verbs.well("module", "list", "--team=", "--kind=GPSSensor"))
-          .isEqualToIgnoringNewLines("No module is registered.");
+          .isEqualToIgnoringNewLines("No module of kind GPSSensor is registered.");
 
       assertThat(verbs.well("module", "call", "warmth", "celsius", "--team="))
           .isEqualToIgnoringNewLines("17");

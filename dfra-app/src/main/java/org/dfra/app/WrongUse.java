@@ -3,7 +3,10 @@ package org.dfra.app;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.dfra.core.config.NearestName;
 import picocli.CommandLine;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ParameterException;
@@ -11,6 +14,14 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Tells in one sentence what was asked wrongly, and where to read how it is asked. */
 final class WrongUse implements IParameterExceptionHandler {
+
+  private static final Pattern VALUE =
+      Pattern.compile(
+          "Invalid value for (?:option '(?<option>[^']+)'(?: \\([^)]*\\))?"
+              + "|positional parameter at index \\S+ \\((?<label>[^)]*)\\)): "
+              + "(?:'(?<number>.*)' is not an? (?<type>int|long|double)"
+              + "|expected one of \\[(?<choices>.*)] \\(case-insensitive\\)"
+              + " but was '(?<written>.*)')");
 
   @Override
   public int handleParseException(ParameterException e, String[] args) {
@@ -30,7 +41,11 @@ final class WrongUse implements IParameterExceptionHandler {
         && e instanceof UnmatchedArgumentException unmatched
         && !unmatched.isUnknownOption()) {
       String wrong = (asked + " " + unmatched.getUnmatched().get(0)).strip();
-      return "there is no verb \"" + wrong + "\"; there is " + String.join(", ", verbs(line));
+      String there = "; there is " + String.join(", ", verbs(line));
+      return "there is no verb \""
+          + wrong
+          + "\""
+          + NearestName.hint(unmatched.getUnmatched().get(0), verbs(line), there);
     }
     boolean isVerbMissing =
         !line.getSubcommands().isEmpty() && !(line.getCommand() instanceof Callable);
@@ -38,10 +53,27 @@ final class WrongUse implements IParameterExceptionHandler {
       return asked + " needs a verb; there is " + String.join(", ", verbs(line));
     }
     String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    return first.substring(0, 1).toLowerCase(Locale.ROOT)
-        + first.substring(1)
-        + "; see: ./dfra "
-        + (asked + " --help").strip();
+    return inOurWords(first) + "; see: ./dfra " + (asked + " --help").strip();
+  }
+
+  /**
+   * What picocli says of a value that cannot be read names its types and positions; people do not.
+   */
+  private static String inOurWords(String message) {
+    Matcher value = VALUE.matcher(message);
+    if (!value.matches()) {
+      return message.isEmpty()
+          ? message
+          : message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1);
+    }
+    String name = value.group("option") == null ? value.group("label") : value.group("option");
+    if (value.group("number") != null) {
+      String number = value.group("type").equals("double") ? "a number" : "a whole number";
+      return name + "=" + value.group("number") + " is not " + number;
+    }
+    List<String> choices = List.of(value.group("choices").toLowerCase(Locale.ROOT).split(", "));
+    String written = value.group("written");
+    return name + " cannot be \"" + written + "\"; it is one of " + String.join(", ", choices);
   }
 
   private static List<String> verbs(CommandLine line) {

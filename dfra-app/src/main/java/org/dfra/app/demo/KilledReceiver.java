@@ -82,7 +82,7 @@ final class KilledReceiver {
               + " one, %s long, the client missed %s, %s.",
           Wording.seconds(Duration.ofNanos(again.nanos() - last.nanos())),
           Wording.count(counted, "event"),
-          missed == 0 ? "but no reading" : missed + " of them readings");
+          missed == 0 ? "but no reading" : Wording.count(missed, "reading") + " among them");
       tell.figure("receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
       tell.figure("receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
       tell.figure(

@@ -42,20 +42,29 @@ final class GetCommand implements Callable<Integer> {
                     each.name(), each.text(), each.settable() ? "yes" : "no", each.meaning()));
         module.answer().table(all, table, module.name() + " has no parameters.");
       } else {
-        Parameter found =
-            all.stream()
-                .filter(each -> each.name().equals(wanted))
-                .findFirst()
-                .orElseThrow(() -> new CommandFailure(ExitCode.NOT_FOUND, unknown(all, wanted)));
+        Parameter found = find(all, wanted, module.name());
         module.answer().sentence(found, found.text());
       }
       return ExitCode.WELL;
     }
   }
 
-  private String unknown(List<Parameter> all, String wanted) {
+  /**
+   * The parameter of that name.
+   *
+   * @param module whose they are
+   * @throws CommandFailure if there is none
+   */
+  static Parameter find(List<Parameter> all, String wanted, String module) {
+    return all.stream()
+        .filter(each -> each.name().equals(wanted))
+        .findFirst()
+        .orElseThrow(() -> new CommandFailure(ExitCode.NOT_FOUND, unknown(all, wanted, module)));
+  }
+
+  private static String unknown(List<Parameter> all, String wanted, String module) {
     List<String> names = all.stream().map(Parameter::name).toList();
-    return module.name()
+    return module
         + " has no parameter "
         + wanted
         + NearestName.hint(wanted, names, "; it has " + String.join(", ", names));

@@ -39,8 +39,15 @@ final class ListCommand implements Callable<Integer> {
               .map(ModuleView::of)
               .sorted(java.util.Comparator.comparing(ModuleView::path))
               .toList();
-      ModuleTable.show(options.answer(), modules, "No module is registered.");
+      ModuleTable.show(options.answer(), modules, nothing());
       return ExitCode.WELL;
     }
+  }
+
+  private String nothing() {
+    return "No module"
+        + (robot == null ? "" : " of robot " + robot)
+        + (kind == null ? "" : " of kind " + kind)
+        + " is registered.";
   }
 }

@@ -33,10 +33,18 @@ final class LocalGroup {
                     ExitCode.NOT_FOUND,
                     "this host has no module "
                         + module
-                        + NearestName.hint(
+                        + hint(
                             module,
-                            groups.stream().flatMap(each -> paths(each).stream()).toList(),
-                            "; ./dfra status shows what it has")));
+                            groups.stream().flatMap(each -> paths(each).stream()).toList())));
+  }
+
+  /** The robot must be named: what is done here may end processes. */
+  private static String hint(String module, List<String> paths) {
+    return paths.stream()
+        .filter(path -> path.endsWith("/" + module))
+        .findFirst()
+        .map(path -> "; did you mean \"" + path + "\"?")
+        .orElseGet(() -> NearestName.hint(module, paths, "; ./dfra status shows what it has"));
   }
 
   private static List<String> paths(ServiceGroup group) {

@@ -29,14 +29,11 @@ final class SetCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     try (Team team = module.open()) {
       ModuleListing<Module> listing = module.in(team);
-      listing.module().setParameter(parameter, value);
-      for (Parameter each : listing.module().parameters()) {
-        if (each.name().equals(parameter)) {
-          module
-              .answer()
-              .sentence(each, listing.path() + ": " + parameter + " is " + each.text() + ".");
-        }
-      }
+      Module target = listing.module();
+      GetCommand.find(target.parameters(), parameter, listing.path()); // for its exit code
+      target.setParameter(parameter, value);
+      Parameter now = GetCommand.find(target.parameters(), parameter, listing.path());
+      module.answer().sentence(now, listing.path() + ": " + parameter + " is " + now.text() + ".");
       return ExitCode.WELL;
     }
   }

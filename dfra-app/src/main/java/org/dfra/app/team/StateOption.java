@@ -20,7 +20,13 @@ public final class StateOption {
     }
     String variable = System.getenv("DFRA_STATE");
     return variable == null || variable.isBlank()
-        ? Path.of(System.getProperty("user.home"), ".dfra").toAbsolutePath()
+        ? Path.of(home(), ".dfra").toAbsolutePath()
         : Path.of(variable).toAbsolutePath();
+  }
+
+  /** What the shell means by ~; Java's user.home may be another folder. */
+  private static String home() {
+    String home = System.getenv("HOME");
+    return home == null || home.isBlank() ? System.getProperty("user.home") : home;
   }
 }

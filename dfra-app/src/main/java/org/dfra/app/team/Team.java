@@ -81,8 +81,16 @@ public final class Team implements AutoCloseable {
         found.isEmpty()
             ? "there is no module "
                 + name
-                + NearestName.hint(name, names, "; ./dfra module list shows what there is")
+                + NearestName.hint(
+                    name,
+                    isFullName ? names : withoutRobots(names),
+                    "; ./dfra module list shows what there is")
             : "there are several modules " + name + "; name one of " + String.join(", ", names));
+  }
+
+  /** Without their robots, as they may be written too. */
+  private static List<String> withoutRobots(List<String> paths) {
+    return paths.stream().map(path -> path.substring(path.indexOf('/') + 1)).distinct().toList();
   }
 
   private static ModuleQuery<Module> query(String name) {

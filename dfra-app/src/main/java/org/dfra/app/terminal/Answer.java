@@ -3,9 +3,12 @@ package org.dfra.app.terminal;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.PrintWriter;
 import java.lang.reflect.Type;
+import java.time.Duration;
 import java.time.Instant;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -102,8 +105,26 @@ public final class Answer {
       return Json.read(isWord ? '"' + (isEnum(type) ? constant(text) : text) + '"' : text, type);
     } catch (JsonProcessingException e) {
       throw new IllegalArgumentException(
-          "\"" + text + "\" is no " + name(type) + ": " + e.getOriginalMessage(), e);
+          "\"" + text + "\" is no " + name(type) + "; " + howWritten(type, e), e);
     }
+  }
+
+  private static String howWritten(Type type, JsonProcessingException e) {
+    if (type == Duration.class) {
+      return "write seconds, such as 2.5";
+    } else if (type == Instant.class) {
+      return "write it in ISO 8601, such as 2026-11-21T12:00:00Z";
+    } else if (type == boolean.class) {
+      return "write true or false";
+    } else if (type instanceof Class<?> c && c.isEnum()) {
+      return "there is "
+          + Arrays.stream(c.getEnumConstants())
+              .map(String::valueOf)
+              .collect(Collectors.joining(", "));
+    } else if (type instanceof Class<?> c && c.isPrimitive()) {
+      return "write a number";
+    }
+    return "write it in JSON (" + e.getOriginalMessage() + ")";
   }
 
   private static boolean isEnum(Type type) {

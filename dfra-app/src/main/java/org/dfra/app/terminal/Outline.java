@@ -1,6 +1,7 @@
 package org.dfra.app.terminal;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -17,7 +18,7 @@ final class Outline {
   static List<String> of(Object value) {
     Outline outline = new Outline();
     JsonNode tree = Json.tree(value);
-    if (tree.isContainerNode()) {
+    if (tree.isContainerNode() && !tree.isEmpty()) {
       outline.children(tree, "");
     } else {
       outline.lines.add(text(tree));
@@ -86,9 +87,12 @@ final class Outline {
   }
 
   private static String number(double value) {
-    return value == Math.rint(value) && Math.abs(value) < 1e15
-        ? String.format(Locale.ROOT, "%.0f", value)
-        : Double.toString(value);
+    double size = Math.abs(value);
+    if (value == Math.rint(value) && size < 1e15) {
+      return String.format(Locale.ROOT, "%.0f", value);
+    }
+    String shortest = Double.toString(value);
+    return size > 1e-9 && size < 1e15 ? new BigDecimal(shortest).toPlainString() : shortest;
   }
 
   /** {@code maxRate} as {@code max rate}. */

@@ -4,10 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Rows under headings, each column as wide as its widest cell. */
+/**
+ * Rows under headings, each column as wide as its widest cell. What is longer than a terminal can
+ * show beside other columns goes on in the next line, below where it began.
+ */
 public final class Table {
 
   private static final String GAP = "  ";
+  private static final int WIDEST = 60;
 
   private final List<String> headings;
   private final List<List<String>> rows = new ArrayList<>();
@@ -34,18 +38,41 @@ public final class Table {
 
   /** The lines, the headings first. */
   public List<String> lines() {
+    List<List<String>> all = new ArrayList<>();
+    all.add(headings);
+    rows.forEach(row -> all.addAll(broken(row)));
     int[] widths =
         IntStream.range(0, headings.size())
-            .map(
-                column ->
-                    Math.max(
-                        width(headings.get(column)),
-                        rows.stream().mapToInt(row -> width(row.get(column))).max().orElse(0)))
+            .map(column -> all.stream().mapToInt(row -> width(row.get(column))).max().orElse(0))
             .toArray();
-    List<String> lines = new ArrayList<>();
-    lines.add(line(headings, widths));
-    rows.forEach(row -> lines.add(line(row, widths)));
-    return lines;
+    return all.stream().map(row -> line(row, widths)).toList();
+  }
+
+  /** The lines of a row, each with a cell for every column. */
+  private static List<List<String>> broken(List<String> row) {
+    List<List<String>> columns = row.stream().map(Table::pieces).toList();
+    int height = columns.stream().mapToInt(List::size).max().orElse(0);
+    return IntStream.range(0, height)
+        .mapToObj(i -> columns.stream().map(each -> i < each.size() ? each.get(i) : "").toList())
+        .toList();
+  }
+
+  /** A cell, broken at blanks. A word is never broken, so that it can be copied. */
+  private static List<String> pieces(String cell) {
+    if (width(cell) <= WIDEST) {
+      return List.of(cell);
+    }
+    List<String> pieces = new ArrayList<>();
+    StringBuilder piece = new StringBuilder();
+    for (String word : cell.split(" ", -1)) {
+      if (!piece.isEmpty() && width(piece + " " + word) > WIDEST) {
+        pieces.add(piece.toString());
+        piece.setLength(0);
+      }
+      piece.append(piece.isEmpty() ? "" : " ").append(word);
+    }
+    pieces.add(piece.toString());
+    return pieces;
   }
 
   private static String line(List<String> cells, int[] widths) {

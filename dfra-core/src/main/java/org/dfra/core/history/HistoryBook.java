@@ -87,7 +87,7 @@ public final class HistoryBook {
       note(
           Kind.FAILURE, "its last life ended without being closed: killed, crashed or powered off");
     }
-    note(Kind.ACTIVATION, "it was activated for the " + (activations + 1) + ". time");
+    note(Kind.ACTIVATION, "it was activated, no. " + (activations + 1));
   }
 
   private void restore() {

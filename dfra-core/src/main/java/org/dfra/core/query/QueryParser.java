@@ -64,7 +64,7 @@ public final class QueryParser {
 
     ModuleQuery<? extends Module> query() {
       ModuleQuery<? extends Module> query =
-          ModuleQuery.of(vocabulary.kind(tokens.name("a kind of module, such as GPSSensor")));
+          ModuleQuery.of(vocabulary.kind(tokens.name("a kind of module, such as GPSSensor,")));
       while (tokens.peek().sort() != Sort.END) {
         query = clause(query);
       }

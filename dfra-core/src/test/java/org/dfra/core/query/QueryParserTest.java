@@ -98,7 +98,7 @@ class QueryParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "`` | at the end: a kind of module, such as GPSSensor must stand here, not the end",
+        "`` | at the end: a kind of module, such as GPSSensor, must stand here, not the end",
         "GPSSensr | at character 1: there is no kind of module \"GPSSensr\"; did you mean"
             + " \"GPSSensor\"?",
         "Toaster | at character 1: there is no kind of module \"Toaster\"; there is GPSSensor,"

@@ -72,8 +72,10 @@ public final class HostAddress {
             "host "
                 + wanted
                 + " is "
-                + address.getHostAddress()
-                + ", which is no address of this machine; name one that is, or auto");
+                + (wanted.equals(address.getHostAddress())
+                    ? ""
+                    : address.getHostAddress() + ", which is ")
+                + "no address of this machine; name one that is, or auto");
       }
       if (address.isLoopbackAddress() && !saysLoopback(wanted)) {
         // Debian gives every machine's own name to 127.0.1.1 in /etc/hosts.

@@ -94,7 +94,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
       throw new IOException(
           "a phoenix already answers at " + host + ":" + port + "; use it, or name another port");
     }
-    Files.createDirectories(state);
+    makeFolder();
     Process process =
         new ProcessBuilder(command())
             .redirectErrorStream(true)
@@ -116,6 +116,20 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
     }
     return process;
+  }
+
+  private void makeFolder() throws IOException {
+    try {
+      Files.createDirectories(state);
+    } catch (IOException e) {
+      throw new IOException(
+          "phoenix's folder "
+              + state
+              + " cannot be made ("
+              + e
+              + "); give this user the right, or phoenix another folder",
+          e);
+    }
   }
 
   /**

@@ -142,7 +142,7 @@ final class AllowedTypes {
     }
     if (REFUSED.stream().anyMatch(name::startsWith)
         || UnicastRemoteObject.class.isAssignableFrom(type)) {
-      return "refused to read a " + name + ": it is known to do harm when it is read";
+      return "refused to read class " + name + ": it is known to do harm when it is read";
     }
     if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked by themselves
       return null;
@@ -155,14 +155,14 @@ final class AllowedTypes {
         && !name.equals("java.rmi.server.RemoteObjectInvocationHandler")
         && !isOurs(name)
         && !isTrusted(type)) {
-      return "refused to read a proxy whose handler is a "
+      return "refused to read a proxy whose handler is class "
           + name
           + ": only River's, DFRA's and trusted code's may handle one";
     }
     if (isOurs(name) || isOfTheJdk(type, name) || isTrusted(type) || isConfigured(name)) {
       return null;
     }
-    return "refused to read a "
+    return "refused to read class "
         + name
         + ": it is not among the classes that may come from outside; if your module sends it, add"
         + " its package to dfra.serial.allow where it is read";

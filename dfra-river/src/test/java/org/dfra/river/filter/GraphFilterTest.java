@@ -78,7 +78,7 @@ class GraphFilterTest {
     for (Map.Entry<String, Object> gadget : payload.gadgets().entrySet()) {
       byte[] bytes = Payload.bytes(gadget.getValue());
       Payload.reset();
-      assertRefused(bytes).as(gadget.getKey()).hasMessageContaining("refused to read a ");
+      assertRefused(bytes).as(gadget.getKey()).hasMessageContaining("refused to read ");
       assertThat(Payload.ran()).as(gadget.getKey()).isFalse();
     }
   }
@@ -98,7 +98,7 @@ class GraphFilterTest {
           .as(name)
           .isInstanceOf(InvalidClassException.class)
           .cause()
-          .hasMessageContaining("refused to read a " + name)
+          .hasMessageContaining("refused to read class " + name)
           .hasMessageContaining("known to do harm");
     }
   }
@@ -171,7 +171,7 @@ class GraphFilterTest {
     Class<?> kind = payload.loader().loadClass("elsewhere.Payload$Kind");
     assertThat(read(Payload.bytes(kind))).isEqualTo(kind);
     assertRefused(Payload.bytes(payload.object().getClass()))
-        .hasMessageContaining("refused to read a elsewhere.Payload: it is not among");
+        .hasMessageContaining("refused to read class elsewhere.Payload: it is not among");
   }
 
   @Test

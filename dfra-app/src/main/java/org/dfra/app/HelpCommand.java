@@ -1,0 +1,46 @@
+package org.dfra.app;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dfra.app.terminal.ExitCode;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** {@code ./dfra help}. Unlike picocli's own it explains a verb of a verb, too. */
+@Command(name = "help", description = "Explains a verb, or lists all of them.")
+final class HelpCommand implements Callable<Integer> {
+
+  @Parameters(
+      paramLabel = "VERB",
+      arity = "0..*",
+      description = "The verb, and the verb of that verb if it has some; without any, all.")
+  private List<String> verbs = new ArrayList<>();
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    CommandLine line = spec.parent().commandLine();
+    for (String verb : verbs) {
+      CommandLine next = line.getSubcommands().get(verb);
+      if (next == null && line.getParent() == null && ScriptVerbs.names().contains(verb)) {
+        spec.commandLine()
+            .getOut()
+            .println("The script tells that itself: ./dfra " + verb + " --help");
+        return ExitCode.WELL;
+      } else if (next == null) {
+        throw new UnmatchedArgumentException(line, List.of(verb));
+      }
+      line = next;
+    }
+    line.usage(spec.commandLine().getOut());
+    return ExitCode.WELL;
+  }
+}
