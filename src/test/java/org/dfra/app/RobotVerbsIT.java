@@ -80,6 +80,16 @@ class RobotVerbsIT {
       Outcome none = processes.dfra(PATIENCE, "status", state);
       assertThat(none.exit()).isEqualTo(4);
       assertThat(none.err()).startsWith("dfra: no phoenix answers on port ");
+
+      Verbs verbs = new Verbs(processes, state);
+      verbs.well("up", xml, port, registry);
+      JsonNode history =
+          new ObjectMapper()
+              .readTree(verbs.well("module", "call", "t1/warmth", "history", "--team=", "--json"));
+      assertThat(history.get("activations").asInt()).isEqualTo(2);
+      assertThat(history.get("failures").asInt()).as("that it was taken down is none").isZero();
+      verbs.well("down");
+      await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
     }
   }
 

@@ -115,7 +115,7 @@ class TalkVerbsIT {
         () -> {
           try {
             return beside.dfra(PATIENCE, asked(words));
-          } catch (Exception e) {
+          } catch (IOException | InterruptedException e) {
             throw new IllegalStateException(e);
           }
         },

@@ -133,6 +133,9 @@ public abstract class ModuleServer<M extends Module>
           new ModuleAdministration(
               presence, driver.leases(), activation.host(), id, exporter, this::close);
       undo.push(administration);
+      if (id != null) { // elsewhere the process is not this module's
+        undo.push(EndOfProcess.closes(path, this::close));
+      }
     } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
       ConfigurationException fault = placed(description, e);
       undoAll(fault);
