@@ -4,6 +4,13 @@ package org.dfra.lease;
 public enum Holder {
   /** Makes the module work. */
   CLIENT,
+  /** Makes an effector work, and tells it what to do; there is one at most. */
+  COMMANDER,
   /** Watches it, whether it works or not. */
-  WATCHER
+  WATCHER;
+
+  /** Whether a module with such a holder has to work. */
+  public boolean isClient() {
+    return this != WATCHER;
+  }
 }

@@ -3,7 +3,7 @@ package org.dfra.lease;
 /**
  * A lease was not granted; the message says what was asked, what is allowed and what to ask for.
  */
-public final class LeaseRefusedException extends Exception {
+public class LeaseRefusedException extends Exception {
 
   private static final long serialVersionUID = 1L;
 

@@ -23,6 +23,12 @@ public record Incident(Instant when, Kind kind, String what) implements Serializ
     /** The module served again. */
     RECOVERY,
     /** The module ended as it should. */
-    DEACTIVATION
+    DEACTIVATION,
+    /** Something that it listens to fell silent, or is heard again after it was missed. */
+    GAP,
+    /** An effector was stopped for an emergency. */
+    EMERGENCY_STOP,
+    /** An effector was released from its emergency stop. */
+    RELEASE
   }
 }

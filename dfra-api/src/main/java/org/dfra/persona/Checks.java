@@ -22,6 +22,24 @@ final class Checks {
     }
   }
 
+  static void positive(String what, double value, String unit) {
+    if (!(value > 0 && Double.isFinite(value))) {
+      throw new IllegalArgumentException(what + " " + value + " " + unit + " is not > 0");
+    }
+  }
+
+  static void power(@Nullable Double power) {
+    if (power != null && !(power >= 0)) {
+      throw new IllegalArgumentException("power " + power + " W is not ≥ 0");
+    }
+  }
+
+  static void share(String what, @Nullable Double share) {
+    if (share != null && !(share >= 0 && share <= 1)) {
+      throw new IllegalArgumentException(what + " " + share + " is outside 0 to 1");
+    }
+  }
+
   /** Equal sets become equal lists, in whichever order they were given. */
   static List<String> sorted(List<String> texts) {
     return texts.stream().distinct().sorted().toList();

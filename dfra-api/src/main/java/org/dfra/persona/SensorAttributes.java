@@ -30,8 +30,6 @@ public record SensorAttributes(
       throw new IllegalArgumentException(
           "update rates from " + minRate + " Hz to " + maxRate + " Hz are no range");
     }
-    if (power != null && !(power >= 0)) {
-      throw new IllegalArgumentException("power " + power + " W is not ≥ 0");
-    }
+    Checks.power(power);
   }
 }

@@ -1,5 +1,8 @@
 package org.dfra.time;
 
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
 /**
  * Time for what must happen later: a count of nanoseconds that nobody sets, and a way to be called
  * back. Tests step it.
@@ -17,12 +20,25 @@ public interface Scheduler {
    */
   Task after(long nanos, Runnable task);
 
+  /** A condition of {@code lock} whose {@code awaitNanos} goes by this time. */
+  default Condition newCondition(ReentrantLock lock) {
+    return lock.newCondition();
+  }
+
   /** Something that will be run. */
   @FunctionalInterface
   interface Task {
 
     /** It need not be run any more. It may still be, if it is about to. */
     void cancel();
+  }
+
+  /**
+   * Whether this is the time of a simulation in lock-step. Then nothing may happen beside its tasks
+   * that others could notice, so what else would be left to a pool of threads is one of them.
+   */
+  default boolean isLockStep() {
+    return false;
   }
 
   /** The computer's monotonic time; its tasks run on one daemon thread, {@code dfra-timer}. */

@@ -1,4 +1,7 @@
-/** Time for logic that waits; passed in, so that tests step it. */
+/**
+ * Time for logic that waits, passed in so that tests step it ({@link org.dfra.time.Scheduler}), and
+ * what clocks differ by ({@link org.dfra.time.ClockOffset}).
+ */
 @NullMarked
 package org.dfra.time;
 

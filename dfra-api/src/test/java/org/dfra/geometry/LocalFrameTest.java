@@ -32,7 +32,7 @@ class LocalFrameTest {
    */
   @Test
   void agreesWithGeographicLibWithinAKilometre() {
-    long seed = new Random().nextLong();
+    long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
     for (int i = 0; i < 1000; i++) {
       double latitude = random.nextDouble() * 170 - 85;
@@ -45,14 +45,41 @@ class LocalFrameTest {
               .toLocal(new GeoPosition(end.lat2, wrapped(end.lon2), 0));
       double chord = s * s * s / (6 * 6.33e6 * 6.33e6) + 1e-6;
       assertThat(local.east())
-          .as("seed %d, east at %f° %f°", seed, latitude, longitude)
+          .as("-Ddfra.seed=%d, east at %f° %f°", seed, latitude, longitude)
           .isCloseTo(s * Math.sin(Math.toRadians(azimuth)), within(chord));
       assertThat(local.north())
-          .as("seed %d, north", seed)
+          .as("-Ddfra.seed=%d, north", seed)
           .isCloseTo(s * Math.cos(Math.toRadians(azimuth)), within(chord));
       assertThat(local.up())
-          .as("seed %d, up", seed)
+          .as("-Ddfra.seed=%d, up", seed)
           .isBetween(-s * s / (2 * 6.33e6) - 1e-6, -s * s / (2 * 6.41e6) + 1e-6);
+    }
+  }
+
+  /** A double holds degrees to 2e-14, which is 2 nm on the ground; ten such steps are left here. */
+  @Test
+  void comesBackToWhereItWas() {
+    long seed = Long.getLong("dfra.seed", new Random().nextLong());
+    Random random = new Random(seed);
+    for (int i = 0; i < 1000; i++) {
+      GeoPosition datum =
+          new GeoPosition(
+              random.nextDouble() * 178 - 89,
+              random.nextDouble() * 360 - 180,
+              random.nextDouble() * 3000);
+      LocalFrame frame = new LocalFrame(datum);
+      LocalPosition there =
+          new LocalPosition(
+              random.nextDouble() * 20_000 - 10_000,
+              random.nextDouble() * 20_000 - 10_000,
+              random.nextDouble() * 1000);
+      LocalPosition back = frame.toLocal(frame.toGeo(there));
+      assertThat(
+              Math.hypot(
+                  Math.hypot(back.east() - there.east(), back.north() - there.north()),
+                  back.up() - there.up()))
+          .as("-Ddfra.seed=%d, %s from %s", seed, there, datum)
+          .isLessThan(2e-8);
     }
   }
 

@@ -51,8 +51,21 @@ public final class DeliveryPool {
     return SHARED;
   }
 
+  /**
+   * The pool for events of modules that live by this time: that of this virtual machine; in
+   * lock-step one without threads, whose listeners are told by the scheduler, at the instant of the
+   * event. There a listener that blocks holds up everything.
+   */
+  public static DeliveryPool by(Scheduler scheduler) {
+    return scheduler.isLockStep() ? new DeliveryPool(0, scheduler) : SHARED;
+  }
+
   /** Runs a turn soon; returns at once. */
   void submit(Runnable turn) {
+    if (scheduler.isLockStep()) {
+      scheduler.after(0, turn);
+      return;
+    }
     turns.add(turn);
     replaceBlocked();
     if (!turns.isEmpty() && looking.compareAndSet(false, true)) {

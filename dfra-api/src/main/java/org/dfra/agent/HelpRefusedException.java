@@ -1,0 +1,14 @@
+package org.dfra.agent;
+
+/**
+ * A call for help was not made: nobody can observe the percept, the place is outside the field, or
+ * another call is under way; the message says which. Nothing was sent.
+ */
+public final class HelpRefusedException extends IllegalArgumentException {
+
+  private static final long serialVersionUID = 1L;
+
+  public HelpRefusedException(String message) {
+    super(message);
+  }
+}

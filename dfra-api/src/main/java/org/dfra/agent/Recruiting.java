@@ -1,0 +1,26 @@
+package org.dfra.agent;
+
+import java.rmi.RemoteException;
+import org.dfra.module.Idempotent;
+import org.dfra.module.Module;
+
+/** What a robot's operators and its other modules ask of its recruitment agent. */
+public interface Recruiting extends Module {
+
+  /**
+   * Calls for help. How it goes on, {@link #status} and its readings tell.
+   *
+   * @throws HelpRefusedException if nobody in reach can observe the percept, the place is outside
+   *     the field, or a call is under way; nothing was sent
+   * @throws org.dfra.module.NotReadyException if the agent does not serve
+   */
+  void help(HelpCall call) throws RemoteException;
+
+  /** Gives the call up, and lets the helper go. Does nothing where there is none. */
+  @Idempotent
+  void release() throws RemoteException;
+
+  /** What it is at. */
+  @Idempotent
+  RecruitmentStatus status() throws RemoteException;
+}

@@ -1,0 +1,33 @@
+package org.dfra.agent;
+
+import java.time.Instant;
+import org.dfra.event.Reading;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a recruitment agent is at; told whenever it changes.
+ *
+ * @param measured when it was so, by the robot's clock, UTC
+ * @param requester what it is at as one that needs help
+ * @param helper the robot that it has chosen; null where it has chosen none
+ * @param responder what it is at as one that helps
+ * @param helped the robot that it helps, or has offered to; null where there is none
+ * @param urge how much it feels that it should help, 0 to 1; at 1 it does
+ * @param doing what changed last, for people, as a clause
+ */
+public record RecruitmentStatus(
+    Instant measured,
+    RequesterPhase requester,
+    @Nullable String helper,
+    ResponderPhase responder,
+    @Nullable String helped,
+    double urge,
+    String doing)
+    implements Reading {
+
+  public RecruitmentStatus {
+    if (!(urge >= 0 && urge <= 1)) {
+      throw new IllegalArgumentException("urge " + urge + " is outside 0 to 1");
+    }
+  }
+}

@@ -1,0 +1,58 @@
+package org.dfra.behavior;
+
+import java.time.Instant;
+import java.util.UUID;
+import org.dfra.event.Reading;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How far a behaviour is; told whenever it changes.
+ *
+ * @param measured when it was so, by the robot's clock, UTC
+ * @param goal names the pursuit; null where there has not been any
+ * @param phase where it is in the picture at {@link Phase}
+ * @param doing what it does or why it does not, for people, as a clause
+ * @param done share of the goal that is dealt with, 0 to 1; never falls during a pursuit
+ * @param missed how many parts of that, such as waypoints, were left out, since they could not be
+ *     reached
+ */
+public record BehaviorStatus(
+    Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed)
+    implements Reading {
+
+  /**
+   * What a behaviour is at.
+   *
+   * <pre>
+   *   IDLE --pursue--&gt; RUNNING --reached--&gt; SUCCEEDED
+   *                     |  ^ '--cannot be reached--&gt; FAILED
+   *               pause |  | resume
+   *                     v  |
+   *                    PAUSED --cancel--&gt; CANCELLED  (from RUNNING likewise)
+   * </pre>
+   *
+   * <p>From each phase on the right the next goal leads to RUNNING again.
+   */
+  public enum Phase {
+    IDLE,
+    RUNNING,
+    PAUSED,
+    SUCCEEDED,
+    FAILED,
+    CANCELLED;
+
+    /** Whether a goal is being pursued, even if not now. */
+    public boolean isUnderWay() {
+      return this == RUNNING || this == PAUSED;
+    }
+  }
+
+  public BehaviorStatus {
+    if (!(done >= 0 && done <= 1)) {
+      throw new IllegalArgumentException("done " + done + " is outside 0 to 1");
+    }
+    if (missed < 0) {
+      throw new IllegalArgumentException("missed " + missed + " is below 0");
+    }
+  }
+}

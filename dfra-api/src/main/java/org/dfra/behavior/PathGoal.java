@@ -1,0 +1,26 @@
+package org.dfra.behavior;
+
+import java.util.List;
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * To have been at several places in order.
+ *
+ * @param from where the line to the first of them begins, frame WGS84; null for where the robot is
+ * @param waypoints the places, frame WGS84; one at least
+ * @param tolerance how near each is near enough, metres, above 0
+ */
+public record PathGoal(@Nullable GeoPosition from, List<GeoPosition> waypoints, double tolerance)
+    implements Goal {
+
+  public PathGoal {
+    waypoints = List.copyOf(waypoints);
+    if (waypoints.isEmpty()) {
+      throw new IllegalArgumentException("a path without a waypoint leads nowhere; give it one");
+    }
+    if (!(tolerance > 0 && Double.isFinite(tolerance))) {
+      throw new IllegalArgumentException("tolerance " + tolerance + " m is not above 0");
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.dfra.flow.perceptual;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.time.ClockOffset;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a robot believes it is.
+ *
+ * @param measured time that it is of, by the robot's clock, UTC
+ * @param frame name of the frame, e.g. {@code atrv1/map}: east, north, up at the datum
+ * @param datum where the frame's origin is, frame WGS84
+ * @param east metres east of the datum, of the robot's base
+ * @param north metres north of it
+ * @param yaw radians, −π to π; 0 is east, counter-clockwise is +
+ * @param speed forward, metres per second
+ * @param turnRate radians per second, to the left is +
+ * @param positionSigma standard deviation of the position along its worst direction, metres
+ * @param yawSigma standard deviation of the yaw, radians
+ * @param fixAge time since a position from outside was last used; null before the first
+ * @param clockOffset how far the robot's clock is ahead of UTC as its receivers tell it, + is
+ *     ahead; null where none told. Who compares poses of two robots takes it off first, see {@link
+ *     ClockOffset#against}.
+ */
+public record PoseEstimate(
+    Instant measured,
+    String frame,
+    GeoPosition datum,
+    double east,
+    double north,
+    double yaw,
+    double speed,
+    double turnRate,
+    double positionSigma,
+    double yawSigma,
+    @Nullable Duration fixAge,
+    @Nullable ClockOffset clockOffset)
+    implements Percept {
+
+  public PoseEstimate {
+    if (!Double.isFinite(east + north + yaw + speed + turnRate)) {
+      throw new IllegalArgumentException(
+          "a pose of " + east + " m, " + north + " m, " + yaw + " rad is not finite");
+    }
+    if (!(positionSigma >= 0 && yawSigma >= 0)) {
+      throw new IllegalArgumentException(
+          "a standard deviation of " + positionSigma + " m, " + yawSigma + " rad is not >= 0");
+    }
+  }
+
+  /** The position on the earth, at the datum's height. */
+  public GeoPosition position() {
+    return new LocalFrame(datum).toGeo(new LocalPosition(east, north, 0));
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.flow.sensor;
+
+import java.time.Instant;
+import java.util.Arrays;
+import org.dfra.event.Reading;
+
+/**
+ * Distances along beams that lie in the plane x-y of the sensor's frame and begin at its origin, as
+ * REP-117 marks those that are none.
+ *
+ * @param measured time of the first beam, UTC
+ * @param frame name of the sensor's frame, e.g. {@code atrv1/laser}
+ * @param firstAngle angle of the first beam in radians, 0 is forward, to the left is +
+ * @param step from one beam to the next in radians; counter-clockwise is +, not 0
+ * @param duration seconds from the first beam to the last, not negative
+ * @param least shortest distance it can tell, metres
+ * @param longest longest distance it can tell, metres
+ * @param ranges the distances in metres, single precision; +∞ where a beam met nothing, −∞ where
+ *     something was too close to be measured, NaN where the measurement failed. Copied in and out.
+ */
+public record RangeScan(
+    Instant measured,
+    String frame,
+    double firstAngle,
+    double step,
+    double duration,
+    double least,
+    double longest,
+    @SuppressWarnings("ArrayRecordComponent") float[] ranges)
+    implements Reading {
+
+  public RangeScan {
+    if (frame.isBlank()) {
+      throw new IllegalArgumentException("a scan names no frame");
+    }
+    if (!(Double.isFinite(firstAngle) && Double.isFinite(step) && step != 0)) {
+      throw new IllegalArgumentException(
+          "beams from " + firstAngle + " rad by " + step + " rad are no scan");
+    }
+    if (!(duration >= 0 && least >= 0 && least < longest && Double.isFinite(longest))) {
+      throw new IllegalArgumentException(
+          "a scan of " + duration + " s from " + least + " m to " + longest + " m");
+    }
+    ranges = ranges.clone();
+  }
+
+  @Override
+  public float[] ranges() {
+    return ranges.clone();
+  }
+
+  /** How many beams. */
+  public int beams() {
+    return ranges.length;
+  }
+
+  /** Distance along a beam, metres, or what stands for none. */
+  public float range(int beam) {
+    return ranges[beam];
+  }
+
+  /** Angle of a beam in radians, 0 is forward, to the left is +. */
+  public double angle(int beam) {
+    return firstAngle + beam * step;
+  }
+
+  /** Whether the beam has met something that it could measure. */
+  public boolean isMeasured(int beam) {
+    return Float.isFinite(ranges[beam]);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof RangeScan that
+        && measured.equals(that.measured)
+        && frame.equals(that.frame)
+        && firstAngle == that.firstAngle
+        && step == that.step
+        && duration == that.duration
+        && least == that.least
+        && longest == that.longest
+        && Arrays.equals(ranges, that.ranges);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * measured.hashCode() + Arrays.hashCode(ranges);
+  }
+
+  /** In a line: the beams are counted, not listed. */
+  @Override
+  public String toString() {
+    int met = 0;
+    float nearest = Float.POSITIVE_INFINITY;
+    for (float range : ranges) {
+      if (Float.isFinite(range)) {
+        met++;
+        nearest = Math.min(nearest, range);
+      }
+    }
+    return "RangeScan[measured="
+        + measured
+        + ", frame="
+        + frame
+        + ", beams="
+        + ranges.length
+        + ", measuredBeams="
+        + met
+        + (met == 0 ? "]" : ", nearest=" + nearest + " m]");
+  }
+}

@@ -1,0 +1,16 @@
+package org.dfra.flow.sensor;
+
+import java.rmi.RemoteException;
+import org.dfra.module.Idempotent;
+
+/** A sensor that measures distances along beams in a plane: a scanning laser, a ring of sonars. */
+public interface RangeSensor extends Sensor {
+
+  /**
+   * The last scan.
+   *
+   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   */
+  @Idempotent
+  RangeScan scan() throws RemoteException;
+}

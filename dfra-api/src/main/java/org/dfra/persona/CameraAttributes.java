@@ -1,0 +1,22 @@
+package org.dfra.persona;
+
+import org.dfra.flow.sensor.CameraImage.Band;
+
+/**
+ * What a camera can see.
+ *
+ * @param band light or heat
+ * @param width pixels
+ * @param height pixels
+ * @param fieldOfView angle from the left edge to the right, radians
+ */
+public record CameraAttributes(Band band, int width, int height, double fieldOfView)
+    implements Attributes {
+
+  public CameraAttributes {
+    if (width < 1 || height < 1) {
+      throw new IllegalArgumentException("a camera of " + width + " × " + height + " pixels");
+    }
+    Checks.positive("field of view", fieldOfView, "rad");
+  }
+}

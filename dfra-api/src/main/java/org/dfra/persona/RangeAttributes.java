@@ -1,0 +1,25 @@
+package org.dfra.persona;
+
+/**
+ * What a range sensor can see.
+ *
+ * @param minRange shortest distance it can tell, metres
+ * @param maxRange longest distance it can tell, metres
+ * @param fieldOfView angle from its first beam to its last, radians
+ * @param resolution angle from beam to beam, radians
+ * @param accuracy of a distance, one sigma, metres
+ */
+public record RangeAttributes(
+    double minRange, double maxRange, double fieldOfView, double resolution, double accuracy)
+    implements Attributes {
+
+  public RangeAttributes {
+    if (!(minRange >= 0 && minRange < maxRange && Double.isFinite(maxRange))) {
+      throw new IllegalArgumentException(
+          "distances from " + minRange + " m to " + maxRange + " m are no range");
+    }
+    Checks.positive("field of view", fieldOfView, "rad");
+    Checks.positive("resolution", resolution, "rad");
+    Checks.positive("accuracy", accuracy, "m");
+  }
+}

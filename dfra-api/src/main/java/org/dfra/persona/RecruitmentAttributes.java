@@ -1,0 +1,26 @@
+package org.dfra.persona;
+
+import java.util.List;
+
+/**
+ * As what a robot may be asked for help.
+ *
+ * @param percepts what it can observe, e.g. {@code mine}; sorted
+ * @param speed how fast it comes, metres per second, above 0
+ * @param strategy how it decides, e.g. {@code affective}
+ * @param replaceAfter a helper that is late by this is replaced by another, seconds, above 0
+ * @param margin so much earlier than that it turns back by itself where it is the helper, seconds,
+ *     above 0; all of a team must have the same two
+ */
+public record RecruitmentAttributes(
+    List<String> percepts, double speed, String strategy, double replaceAfter, double margin)
+    implements Attributes {
+
+  public RecruitmentAttributes {
+    percepts = Checks.sorted(percepts);
+    Checks.positive("speed", speed, "m/s");
+    Checks.text("strategy", strategy);
+    Checks.positive("replaceAfter", replaceAfter, "s");
+    Checks.positive("margin", margin, "s");
+  }
+}
