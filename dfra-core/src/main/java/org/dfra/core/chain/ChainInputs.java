@@ -2,97 +2,368 @@ package org.dfra.core.chain;
 
 import java.rmi.RemoteException;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.UUID;
+import java.util.function.Supplier;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Watch;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
 
 /**
- * The inputs of one link of a chain: it listens to the modules it is wired to and takes the newest
- * reading of each. Wiring it anew ends the old ties when the new ones hold; where one cannot be
- * made, the old ones stay.
+ * The inputs of one link of a chain. Each listens to modules of its kind, mostly of its own robot,
+ * as they come and go: to all of them, or to one, the first that came, until that is gone. Or it
+ * listens to the one that it is wired to. Wiring it anew ends the old ties when the new ones are
+ * known to be possible; where one is not, the old ones stay.
  */
 public final class ChainInputs implements AutoCloseable {
 
-  /** Takes what comes in. */
-  @FunctionalInterface
-  public interface Taker {
+  /** Readings kept for a link that is slow; the older ones are dropped. */
+  private static final int DEPTH = 64;
 
-    /**
-     * Takes a reading; on a delivery thread, one at a time for each input.
-     *
-     * @param input which input, from 0
-     */
-    void take(int input, Reading reading);
-  }
-
-  private final String module;
-  private final Function<String, Optional<? extends Module>> directory;
-  private final Taker taker;
-  private List<Subscription> ties = List.of(); // guarded by this
+  private static final long RETRY_NANOS = 1_000_000_000;
 
   /**
-   * @param module whose inputs these are, for messages
-   * @param directory finds a module by its path
+   * Takes what comes in.
+   *
+   * @param <R> what that is
+   */
+  @FunctionalInterface
+  public interface Taker<R extends Reading> {
+
+    /**
+     * Takes a reading; on a delivery thread, one at a time for each module.
+     *
+     * @param source the module that it is from, as it was when it was found
+     */
+    void take(ModuleListing<?> source, R reading);
+  }
+
+  /**
+   * Takes what comes in, and sees by its number what did not.
+   *
+   * @param <R> what that is
+   */
+  @FunctionalInterface
+  public interface CountingTaker<R extends Reading> {
+
+    /**
+     * As {@link Taker#take}.
+     *
+     * @param sequence see {@link Delivery#sequence}
+     */
+    void take(ModuleListing<?> source, long sequence, R reading);
+  }
+
+  /** What one input takes. */
+  record Input<M extends Module, R extends Reading>(
+      ModuleQuery<M> query,
+      boolean isMany,
+      String named,
+      Class<R> type,
+      CountingTaker<? super R> taker) {}
+
+  private final String module;
+  private final Supplier<ModuleDirectory> directory;
+  private final Errands errands;
+  private final Logger log;
+  private final List<Input<?, ?>> inputs = new ArrayList<>();
+  private volatile List<Feed<?, ?>> feeds = List.of(); // written under this
+  private boolean closed; // guarded by this
+
+  /**
+   * @param module whose inputs these are, {@code robot/name}
+   * @param directory what it finds modules by
+   * @param errands tries again to listen to a module that could not be reached
    */
   public ChainInputs(
-      String module, Function<String, Optional<? extends Module>> directory, Taker taker) {
+      String module, Supplier<ModuleDirectory> directory, Errands errands, Logger log) {
     this.module = module;
     this.directory = directory;
-    this.taker = taker;
+    this.errands = errands;
+    this.log = log;
+  }
+
+  /**
+   * Declares the next input; before any is wired.
+   *
+   * @param query which modules it may be
+   * @param isMany whether it listens to all of them, rather than to one
+   * @param named says where one is named, to go on a clause that there is none; or empty
+   * @param type which of their readings it takes
+   */
+  public <M extends Module, R extends Reading> void declare(
+      ModuleQuery<M> query,
+      boolean isMany,
+      String named,
+      Class<R> type,
+      CountingTaker<? super R> taker) {
+    inputs.add(new Input<>(query, isMany, named, type, taker));
+  }
+
+  /** The types of the inputs, by the simple names of their classes. */
+  public List<String> types() {
+    return inputs.stream().map(input -> input.type().getSimpleName()).toList();
+  }
+
+  /**
+   * What is not there of what it listens to, as a clause; nothing where each input has a module.
+   */
+  public Optional<String> missing() {
+    return feeds.stream()
+        .filter(Feed::isAlone)
+        .findFirst()
+        .map(feed -> "there is no " + feed.wanted + feed.input.named());
   }
 
   /**
    * Listens to these modules from now on, and to no others.
    *
-   * @throws IllegalArgumentException if one is not found or cannot be reached
+   * @param paths one for each input, {@code robot/name}; none to have each find its own
+   * @throws IllegalArgumentException if one is not there, or not of the input's kind
    */
-  public synchronized void wire(List<String> modules) {
-    List<Subscription> fresh = new ArrayList<>();
-    try {
-      for (int i = 0; i < modules.size(); i++) {
-        fresh.add(tie(i, modules.get(i)));
-      }
-    } catch (IllegalArgumentException e) {
-      fresh.forEach(Subscription::close);
-      throw e;
+  public synchronized void wire(List<String> paths) {
+    if (closed) {
+      return;
     }
-    List<Subscription> old = ties;
-    ties = fresh;
-    old.forEach(Subscription::close);
+    List<ModuleQuery<?>> queries = new ArrayList<>();
+    for (int i = 0; i < inputs.size(); i++) {
+      queries.add(paths.isEmpty() ? inputs.get(i).query() : wired(inputs.get(i), paths.get(i)));
+    }
+    feeds.forEach(Feed::close);
+    List<Feed<?, ?>> fresh = new ArrayList<>();
+    for (int i = 0; i < inputs.size(); i++) {
+      fresh.add(feed(inputs.get(i), queries.get(i)));
+    }
+    feeds = fresh;
   }
 
-  private Subscription tie(int input, String path) {
-    Module source =
-        directory
-            .apply(path)
-            .orElseThrow(
-                () ->
-                    new IllegalArgumentException(
-                        module + " cannot be wired to " + path + ": there is no such module"));
-    try {
-      return source.subscribe(delivery -> take(input, delivery), DeliveryPolicy.latestReading());
-    } catch (RemoteException e) {
+  private <M extends Module> ModuleQuery<M> wired(Input<M, ?> input, String path) {
+    ModuleQuery<Module> named = ModuleQuery.of(Module.class).robot(robot(path)).name(name(path));
+    if (directory.get().find(named).isEmpty()) {
       throw new IllegalArgumentException(
-          module + " cannot be wired to " + path + ": it cannot be reached", e);
+          module + " cannot be wired to " + path + ": there is no such module");
     }
+    Class<M> kind = input.query().kind();
+    ModuleQuery<M> query = ModuleQuery.of(kind).robot(robot(path)).name(name(path));
+    if (directory.get().find(query).isEmpty()) {
+      throw new IllegalArgumentException(
+          module + " cannot be wired to " + path + ": it is no " + kind.getSimpleName());
+    }
+    return query;
   }
 
-  private void take(int input, Delivery delivery) {
-    if (delivery.event() instanceof ModuleEvent.NewReading fresh) {
-      taker.take(input, fresh.reading());
-    }
+  @SuppressWarnings("unchecked") // the query was made of the input's kind
+  private <M extends Module, R extends Reading> Feed<M, R> feed(
+      Input<M, R> input, ModuleQuery<?> query) {
+    Feed<M, R> feed = new Feed<>(input, query.toString());
+    feed.watch = directory.get().listen((ModuleQuery<M>) query, feed);
+    return feed;
+  }
+
+  private static String robot(String path) {
+    return path.substring(0, path.indexOf('/'));
+  }
+
+  private static String name(String path) {
+    return path.substring(path.indexOf('/') + 1);
   }
 
   /** Listens to nothing any more. */
   @Override
   public synchronized void close() {
-    ties.forEach(Subscription::close);
-    ties = List.of();
+    closed = true;
+    feeds.forEach(Feed::close);
+    feeds = List.of();
+    errands.close();
+  }
+
+  /** One input at work: a tie to each module that it has found. */
+  private final class Feed<M extends Module, R extends Reading> implements DirectoryListener<M> {
+
+    private final Input<M, R> input;
+    private final String wanted; // which modules, for people
+    private final Map<UUID, Tie> ties = new HashMap<>(); // guarded by this
+
+    /** Those that would do as well, the first that came first; guarded by this. */
+    private final Map<UUID, ModuleListing<M>> inLine = new LinkedHashMap<>();
+
+    private boolean over; // guarded by this
+    private volatile @Nullable Watch watch;
+
+    Feed(Input<M, R> input, String wanted) {
+      this.input = input;
+      this.wanted = wanted;
+    }
+
+    synchronized boolean isAlone() {
+      return ties.isEmpty();
+    }
+
+    @Override
+    public void matched(ModuleListing<M> listing) {
+      @Nullable Tie tie = tie(listing);
+      if (tie != null) {
+        tie.begin();
+      }
+    }
+
+    /** A new tie; null where it has to wait in line, or nothing is listened to any more. */
+    private synchronized @Nullable Tie tie(ModuleListing<M> listing) {
+      if (over) {
+        return null;
+      }
+      if (!input.isMany() && !ties.isEmpty()) {
+        inLine.put(listing.id(), listing);
+        return null;
+      }
+      Tie tie = new Tie(listing);
+      ties.put(listing.id(), tie);
+      return tie;
+    }
+
+    @Override
+    public void changed(ModuleListing<M> before, ModuleListing<M> now) {
+      @Nullable Tie tie;
+      synchronized (this) {
+        inLine.computeIfPresent(now.id(), (id, listed) -> now);
+        tie = ties.get(now.id());
+      }
+      boolean isOther = before.module() != now.module() && !before.module().equals(now.module());
+      if (tie != null && (isOther || tie.isDead())) {
+        renew(tie, now);
+      }
+    }
+
+    /** It lives elsewhere now, or was started anew where it was. */
+    private void renew(Tie old, ModuleListing<M> now) {
+      Tie fresh = new Tie(now);
+      synchronized (this) {
+        if (over || !ties.replace(now.id(), old, fresh)) {
+          return;
+        }
+      }
+      old.close();
+      fresh.begin();
+    }
+
+    @Override
+    public void unmatched(ModuleListing<M> last) {
+      @Nullable Tie tie;
+      @Nullable Tie heir = null;
+      synchronized (this) {
+        inLine.remove(last.id());
+        tie = ties.remove(last.id());
+        if (tie != null && !inLine.isEmpty()) {
+          UUID next = inLine.keySet().iterator().next();
+          heir = tie(inLine.remove(next));
+        }
+      }
+      if (tie != null) {
+        tie.close();
+      }
+      if (heir != null) {
+        heir.begin();
+      }
+    }
+
+    void close() {
+      @Nullable Watch watching = watch;
+      if (watching != null) {
+        watching.close();
+      }
+      List<Tie> ending;
+      synchronized (this) {
+        over = true;
+        ending = List.copyOf(ties.values());
+        ties.clear();
+      }
+      ending.forEach(Tie::close);
+    }
+
+    /** A subscription, or the wish for one. */
+    private final class Tie {
+      private final ModuleListing<M> source;
+      private @Nullable Subscription subscription; // guarded by this
+      private boolean cut; // guarded by this
+      private boolean isTold; // of a failure; by the one thread that begins
+
+      Tie(ModuleListing<M> source) {
+        this.source = source;
+      }
+
+      void begin() {
+        try {
+          Subscription made =
+              source
+                  .module()
+                  .subscribe(this::take, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+          synchronized (this) {
+            if (!cut) {
+              subscription = made;
+              return;
+            }
+          }
+          made.close();
+        } catch (RemoteException | RuntimeException e) {
+          if (!isTold) {
+            isTold = true;
+            log.warn(
+                "{}: {} cannot be listened to and is tried again: {}",
+                module,
+                source.path(),
+                e.toString());
+          }
+          errands.later(RETRY_NANOS, this::again);
+        }
+      }
+
+      /** Whether what it was tied to has ended. */
+      synchronized boolean isDead() {
+        return subscription != null && !subscription.isOpen();
+      }
+
+      private void again() {
+        synchronized (this) {
+          if (cut) {
+            return;
+          }
+        }
+        begin();
+      }
+
+      private void take(Delivery delivery) {
+        if (delivery.event() instanceof ModuleEvent.NewReading fresh
+            && input.type().isInstance(fresh.reading())) {
+          input.taker().take(source, delivery.sequence(), input.type().cast(fresh.reading()));
+        }
+      }
+
+      void close() {
+        @Nullable Subscription ending;
+        synchronized (this) {
+          cut = true;
+          ending = subscription;
+          subscription = null;
+        }
+        if (ending != null) {
+          ending.close();
+        }
+      }
+    }
   }
 }

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /** All that is wrong with a description, gathered so that one reading reports everything. */
-final class Faults {
+public final class Faults {
 
   private record Fault(Place place, String sentence) {}
 
@@ -16,16 +16,17 @@ final class Faults {
   /**
    * @param sentence what is wrong; what to do
    */
-  void add(Place place, String sentence) {
+  public void add(Place place, String sentence) {
     faults.add(new Fault(place, sentence));
   }
 
-  boolean isEmpty() {
+  /** Whether there are none. */
+  public boolean isEmpty() {
     return faults.isEmpty();
   }
 
   /** Throws what was gathered, one line each: file by file, each from its top to its end. */
-  void throwIfAny() {
+  public void throwIfAny() {
     if (faults.isEmpty()) {
       return;
     }

@@ -16,6 +16,9 @@ import org.jspecify.annotations.Nullable;
 /** One reading of one {@code <module>}: its properties, and what the XML says instead of them. */
 final class ModuleReader {
 
+  /** How the names of parameters end that name a file. */
+  private static final String FILE = "_file";
+
   private final Path file;
   private final Element element;
   private final XmlValues values;
@@ -171,8 +174,12 @@ final class ModuleReader {
     return null;
   }
 
+  /** The parameters; a file's name is made absolute, since the module runs elsewhere. */
   private Map<String, Parameters.Value> parameters() {
-    Map<String, Parameters.Value> parameters = new TreeMap<>(properties.parameters());
+    Map<String, Parameters.Value> parameters = new TreeMap<>();
+    properties
+        .parameters()
+        .forEach((name, value) -> parameters.put(name, found(name, value, properties.source())));
     XmlValues.Once names = values.once();
     for (Element child : element.getChildren("parameter", RobotSchema.NAMESPACE)) {
       String parameter = values.name(child);
@@ -180,10 +187,21 @@ final class ModuleReader {
       if (parameter != null) {
         names.check(child, parameter, "parameter " + parameter + " of " + label, "delete one");
         if (value != null) {
-          parameters.put(parameter, new Parameters.Value(value, values.place(child)));
+          Parameters.Value written = new Parameters.Value(value, values.place(child));
+          parameters.put(parameter, found(parameter, written, file));
         }
       }
     }
     return parameters;
+  }
+
+  private Parameters.Value found(String name, Parameters.Value value, Path base) {
+    if (!name.endsWith(FILE)) {
+      return value;
+    }
+    @Nullable Path path = existing(name, value.text(), base, value.place());
+    return path == null
+        ? value
+        : new Parameters.Value(path.toAbsolutePath().normalize().toString(), value.place());
   }
 }

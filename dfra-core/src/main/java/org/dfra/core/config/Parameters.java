@@ -30,16 +30,39 @@ public final class Parameters implements Serializable {
    */
   public record Value(String text, Place place) implements Serializable {}
 
+  /** Is told what a driver asks for. */
+  public interface Listener {
+
+    /** A parameter is read, whether it is set or not. */
+    void asked(String name);
+
+    /**
+     * A parameter names another module of the robot; where it is not set, the first of the kind is
+     * taken.
+     *
+     * @param kind what the other module must be
+     */
+    default void needs(String name, Class<?> kind) {}
+  }
+
   private final String owner;
   private final TreeMap<String, Value> values;
+
+  /** Nobody in what has come from elsewhere. */
+  private final transient @Nullable Listener listener;
 
   /**
    * @param owner whose parameters these are, for messages: {@code robot/name}
    * @param values the parameters by name
    */
   public Parameters(String owner, Map<String, Value> values) {
+    this(owner, new TreeMap<>(values), null);
+  }
+
+  private Parameters(String owner, TreeMap<String, Value> values, @Nullable Listener listener) {
     this.owner = owner;
-    this.values = new TreeMap<>(values);
+    this.values = values;
+    this.listener = listener;
   }
 
   /** Parameters given in code, for tests and examples; their place is {@link Place#CODE}. */
@@ -49,9 +72,32 @@ public final class Parameters implements Serializable {
     return new Parameters(owner, values);
   }
 
+  /** The same ones, which tell what they are asked for. */
+  public Parameters telling(Listener hearing) {
+    return new Parameters(owner, values, hearing);
+  }
+
   /** The parameter's text. */
   public Optional<String> find(String name) {
-    return Optional.ofNullable(values.get(name)).map(Value::text);
+    return Optional.ofNullable(read(name)).map(Value::text);
+  }
+
+  /**
+   * The name of another module of the robot.
+   *
+   * @param kind what the other module must be
+   * @return nothing where it is not set: any of the kind will do
+   */
+  public Optional<String> module(String name, Class<?> kind) {
+    if (listener != null) {
+      listener.needs(name, kind);
+    }
+    return find(name);
+  }
+
+  /** Where the parameter was written. */
+  public Optional<Place> place(String name) {
+    return Optional.ofNullable(values.get(name)).map(Value::place);
   }
 
   /**
@@ -105,11 +151,15 @@ public final class Parameters implements Serializable {
     return Objects.hash(owner, values);
   }
 
-  /** {@code owner {name=text, …}}. */
+  /** {@code owner {name=text, …}}, without passwords: this may end in a log. */
   @Override
   public String toString() {
     return values.entrySet().stream()
-        .map(entry -> entry.getKey() + "=" + entry.getValue().text())
+        .map(
+            entry ->
+                entry.getKey()
+                    + "="
+                    + (entry.getKey().contains("password") ? "…" : entry.getValue().text()))
         .collect(Collectors.joining(", ", owner + " {", "}"));
   }
 
@@ -121,7 +171,7 @@ public final class Parameters implements Serializable {
   }
 
   private double number(String name, double fallback, double min, double max, String kind) {
-    Value value = values.get(name);
+    Value value = read(name);
     if (value == null) {
       return fallback;
     }
@@ -145,8 +195,15 @@ public final class Parameters implements Serializable {
         : Double.toString(number);
   }
 
+  private @Nullable Value read(String name) {
+    if (listener != null) {
+      listener.asked(name);
+    }
+    return values.get(name);
+  }
+
   private Value value(String name) {
-    Value value = values.get(name);
+    Value value = read(name);
     if (value == null) {
       throw new ConfigurationException(
           owner

@@ -75,6 +75,16 @@ public record RobotDescription(
     this(name, host, lookupGroups, locators, Optional.empty(), groups, source);
   }
 
+  /**
+   * The same robot, whose modules join these registrars and no others by unicast, as those of a
+   * team do where multicast does not go.
+   *
+   * @param registrars each as {@code jini://host:port}
+   */
+  public RobotDescription among(List<String> registrars) {
+    return new RobotDescription(name, host, lookupGroups, registrars, persona, groups, source);
+  }
+
   /** The robot's own lookup service, if one of its groups hosts it. */
   public Optional<RegistrarDescription> registrar() {
     return groups.stream().flatMap(group -> group.registrar().stream()).findFirst();

@@ -2,7 +2,6 @@ package org.dfra.core.config;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
@@ -34,11 +33,9 @@ public final class RobotXml {
    * @throws ConfigurationException naming everything that is wrong with them, a line each
    */
   public static RobotDescription read(Path file, Function<String, @Nullable String> lookup) {
-    byte[] text = bytes(file);
-    Place whole = new Place(file.toString(), 0);
-    Element root = RobotDocument.root(text, whole);
     Faults faults = new Faults();
-    RobotSchema.validate(text, whole, faults);
+    byte[] text = SourceFile.bytes(file, "the XML file of a robot");
+    Element root = RobotSchema.ROBOT.read(text, new Place(file.toString(), 0), faults);
     Optional<RobotDescription> robot =
         new RobotReader(file, new Substitution(lookup, faults), faults).robot(root);
     faults.throwIfAny();
@@ -62,17 +59,5 @@ public final class RobotXml {
    */
   public static void write(RobotDescription robot, Path file) throws IOException {
     Files.writeString(file, text(robot));
-  }
-
-  private static byte[] bytes(Path file) {
-    try {
-      return Files.readAllBytes(file);
-    } catch (NoSuchFileException e) {
-      throw new ConfigurationException(
-          file + ": there is no such file; name the XML file of a robot", e);
-    } catch (IOException e) {
-      throw new ConfigurationException(
-          file + ": the file cannot be read (" + e + "); name a readable file", e);
-    }
   }
 }

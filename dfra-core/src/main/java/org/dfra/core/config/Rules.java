@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * What a single text of a description must look like. Each rule returns its complaint, or null; the
  * reader collects the complaints of a whole file, a record's constructor throws its first one.
  */
-final class Rules {
+public final class Rules {
 
   private static final Pattern SNAKE = Pattern.compile("[a-z][a-z0-9]*(_[a-z0-9]+)*");
   private static final Pattern CLASS =
@@ -23,13 +23,16 @@ final class Rules {
   private Rules() {}
 
   /** Throws the complaint, if there is one, with the place it is about. */
-  static void require(Place place, @Nullable String complaint) {
+  public static void require(Place place, @Nullable String complaint) {
     if (complaint != null) {
       throw new ConfigurationException(place + ": " + complaint);
     }
   }
 
-  static @Nullable String name(String what, String name) {
+  /**
+   * @param what the thing that has the name, such as {@code robot}
+   */
+  public static @Nullable String name(String what, String name) {
     if (SNAKE.matcher(name).matches()) {
       return null;
     }

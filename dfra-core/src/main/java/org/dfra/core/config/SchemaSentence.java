@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jdom2.Namespace;
 
 /**
  * Turns what the JDK's schema validator says into plain sentences.
@@ -17,15 +18,16 @@ final class SchemaSentence {
 
   private static final Pattern RULE = Pattern.compile("(cvc-[A-Za-z0-9.-]+): (.*)", Pattern.DOTALL);
   private static final Pattern QUOTED = Pattern.compile("'([^']*)'");
-  private static final Pattern NAMESPACE = Pattern.compile("\\{?\"[^\"]*\":|[{}]");
+  private static final Pattern PREFIX = Pattern.compile("\\{?\"[^\"]*\":|[{}]");
 
   private SchemaSentence() {}
 
   /**
    * @param message the validator's message, in English
    * @param attributes every element there is, with the attributes it may have
+   * @param namespace of these elements
    */
-  static String of(String message, Map<String, List<String>> attributes) {
+  static String of(String message, Map<String, List<String>> attributes, Namespace namespace) {
     Matcher matcher = RULE.matcher(message);
     if (!matcher.matches()) {
       return message;
@@ -36,7 +38,7 @@ final class SchemaSentence {
     String second = quoted.size() < 2 ? "" : plain(quoted.get(1));
     return switch (matcher.group(1)) {
       case "cvc-complex-type.2.4.a", "cvc-complex-type.2.4.d" ->
-          unknownElement(quoted.get(0), first, second);
+          unknownElement(quoted.get(0), first, second, namespace);
       case "cvc-complex-type.3.2.2" ->
           unknownAttribute(first, second, attributes.getOrDefault(second, List.of()));
       case "cvc-complex-type.4" ->
@@ -50,13 +52,14 @@ final class SchemaSentence {
     };
   }
 
-  private static String unknownElement(String written, String name, String expected) {
+  private static String unknownElement(
+      String written, String name, String expected, Namespace namespace) {
     List<String> known = expected.isEmpty() ? List.of() : List.of(expected.split(", "));
     if (known.contains(name)) {
       return "<"
           + name
           + "> is not in the namespace "
-          + RobotSchema.NAMESPACE.getURI()
+          + namespace.getURI()
           + " but is written as "
           + written
           + "; delete its own xmlns";
@@ -82,6 +85,6 @@ final class SchemaSentence {
 
   /** The name, or the names between commas, without their namespaces. */
   private static String plain(String quoted) {
-    return NAMESPACE.matcher(quoted).replaceAll("");
+    return PREFIX.matcher(quoted).replaceAll("");
   }
 }

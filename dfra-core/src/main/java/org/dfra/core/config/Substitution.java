@@ -14,26 +14,29 @@ import org.jspecify.annotations.Nullable;
  * default where NAME is not set or empty, as in a POSIX shell; the default may hold variables
  * itself, and no other closing brace. {@code $$} is a dollar.
  */
-final class Substitution {
+public final class Substitution {
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_.]*");
 
   private final Function<String, @Nullable String> lookup;
   private final Faults faults;
 
-  Substitution(Function<String, @Nullable String> lookup, Faults faults) {
+  /**
+   * @param lookup gives the value of a variable, or null where it is not set
+   */
+  public Substitution(Function<String, @Nullable String> lookup, Faults faults) {
     this.lookup = lookup;
     this.faults = faults;
   }
 
   /** The system property of that name, else the environment variable; null if neither is set. */
-  static @Nullable String environment(String name) {
+  public static @Nullable String environment(String name) {
     String property = System.getProperty(name);
     return property != null ? property : System.getenv(name);
   }
 
   /** Writes a text so that {@link #apply} gives it back. */
-  static String escape(String text) {
+  public static String escape(String text) {
     return text.replace("$", "$$");
   }
 

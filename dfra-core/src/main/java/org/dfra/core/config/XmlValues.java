@@ -7,13 +7,16 @@ import org.jdom2.located.Located;
 import org.jspecify.annotations.Nullable;
 
 /** Takes values out of XML elements: substituted, checked, each with its place. */
-final class XmlValues {
+public final class XmlValues {
 
   private final String file;
   private final Substitution substitution;
   private final Faults faults;
 
-  XmlValues(String file, Substitution substitution, Faults faults) {
+  /**
+   * @param file the elements' file, as it was named to the reader
+   */
+  public XmlValues(String file, Substitution substitution, Faults faults) {
     this.file = file;
     this.substitution = substitution;
     this.faults = faults;
@@ -24,35 +27,36 @@ final class XmlValues {
     return new Place(file, element instanceof Located located ? located.getLine() : 0);
   }
 
-  Place place(Element element) {
+  /** Where an element's start tag ends. */
+  public Place place(Element element) {
     return place(file, element);
   }
 
   /** Notes a fault, unless there is none. */
-  void check(Element element, @Nullable String fault) {
+  public void check(Element element, @Nullable String fault) {
     if (fault != null) {
       faults.add(place(element), fault);
     }
   }
 
   /** The value of an attribute; null if it is absent or its variables cannot be substituted. */
-  @Nullable String attribute(Element element, String name) {
+  public @Nullable String attribute(Element element, String name) {
     String written = element.getAttributeValue(name);
     return written == null ? null : substitution.apply(written, place(element));
   }
 
   /** The value of an attribute, or what stands for it where it is absent. */
-  @Nullable String attribute(Element element, String name, String absent) {
+  public @Nullable String attribute(Element element, String name, String absent) {
     return element.getAttributeValue(name) == null ? absent : attribute(element, name);
   }
 
   /** The text between an element's tags, without the blanks around it. */
-  @Nullable String text(Element element) {
+  public @Nullable String text(Element element) {
     return substitution.apply(element.getTextTrim(), place(element));
   }
 
   /** The attribute {@code name} in lower_snake_case. */
-  @Nullable String name(Element element) {
+  public @Nullable String name(Element element) {
     String name = attribute(element, "name");
     check(element, name == null ? null : Rules.name(element.getName(), name));
     return name;
@@ -68,18 +72,20 @@ final class XmlValues {
   }
 
   /** Names of one kind, each of which may be given once. */
-  Once once() {
+  public Once once() {
     return new Once();
   }
 
   /** Remembers where each name was first written. */
-  final class Once {
+  public final class Once {
     private final Map<String, Place> first = new HashMap<>();
+
+    private Once() {}
 
     /**
      * @param what the thing named, with its name, for the complaint about a second one
      */
-    void check(Element element, String name, String what, String remedy) {
+    public void check(Element element, String name, String what, String remedy) {
       Place earlier = first.putIfAbsent(name, place(element));
       if (earlier != null) {
         faults.add(

@@ -2,13 +2,15 @@ package org.dfra.core.directory;
 
 import java.util.List;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dfra.directory.Watch;
 import org.dfra.persona.Attributes;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.Task;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -18,7 +20,8 @@ import org.slf4j.LoggerFactory;
  * <p>It looks every {@value #MILLIS} ms rather than being told: so no driver has to remember to
  * tell, and no restless driver can flood a lookup service.
  *
- * <p>Threads: one daemon, {@code dfra-attributes}, looks for all modules of a virtual machine.
+ * <p>Threads: one daemon, {@code dfra-attributes}, looks for all modules of a virtual machine; in
+ * lock-step the scheduler looks.
  */
 public final class AttributeFollower implements Watch {
 
@@ -37,7 +40,8 @@ public final class AttributeFollower implements Watch {
 
   private final Supplier<List<Attributes>> attributes;
   private final Consumer<List<Attributes>> teller;
-  private final ScheduledFuture<?> looking;
+  private volatile Task looking;
+  private volatile boolean closed;
   private List<Attributes> told; // by the looker
 
   /**
@@ -49,10 +53,36 @@ public final class AttributeFollower implements Watch {
       List<Attributes> told,
       Supplier<List<Attributes>> attributes,
       Consumer<List<Attributes>> teller) {
+    this(told, attributes, teller, Scheduler.system());
+  }
+
+  /** The same, by the time of {@code scheduler} if that is in lock-step, by real time otherwise. */
+  public AttributeFollower(
+      List<Attributes> told,
+      Supplier<List<Attributes>> attributes,
+      Consumer<List<Attributes>> teller,
+      Scheduler scheduler) {
     this.told = List.copyOf(told);
     this.attributes = attributes;
     this.teller = teller;
-    this.looking = LOOKER.scheduleWithFixedDelay(this::look, MILLIS, MILLIS, TimeUnit.MILLISECONDS);
+    if (scheduler.isLockStep()) {
+      this.looking = later(scheduler);
+    } else {
+      Future<?> future =
+          LOOKER.scheduleWithFixedDelay(this::look, MILLIS, MILLIS, TimeUnit.MILLISECONDS);
+      this.looking = () -> future.cancel(false);
+    }
+  }
+
+  private Task later(Scheduler scheduler) {
+    return scheduler.after(
+        TimeUnit.MILLISECONDS.toNanos(MILLIS),
+        () -> {
+          if (!closed) {
+            look();
+            looking = later(scheduler);
+          }
+        });
   }
 
   private void look() {
@@ -69,6 +99,7 @@ public final class AttributeFollower implements Watch {
 
   @Override
   public void close() {
-    looking.cancel(false);
+    closed = true;
+    looking.cancel();
   }
 }

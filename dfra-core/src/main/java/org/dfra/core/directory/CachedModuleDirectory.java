@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.UUID;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -27,13 +28,14 @@ import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A directory that answers from a table that its subclass fills.
  *
  * <p>Threads: daemons {@code dfra-directory-n}, one for each listener that is just being told
- * something; they end by themselves after {@link #close}.
+ * something; they end by themselves after {@link #close}. In lock-step the scheduler tells them.
  */
 public abstract class CachedModuleDirectory implements ModuleDirectory {
 
@@ -57,7 +59,9 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
             return thread;
           });
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition changed = lock.newCondition();
+  private final Condition changed;
+  private final Executor tellers;
+  private final Scheduler scheduler;
   private final List<ListenerFeed<?>> feeds = new ArrayList<>(); // guarded by lock
   private boolean closed; // guarded by lock
 
@@ -65,7 +69,18 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
    * @param clock the time that staleness is reckoned by
    */
   protected CachedModuleDirectory(InstantSource clock) {
+    this(clock, Scheduler.system());
+  }
+
+  /**
+   * @param clock the time that staleness is reckoned by
+   * @param scheduler the time that is waited by
+   */
+  protected CachedModuleDirectory(InstantSource clock, Scheduler scheduler) {
     this.table = new ModuleTable(clock);
+    this.scheduler = scheduler;
+    this.changed = scheduler.newCondition(lock);
+    this.tellers = scheduler.isLockStep() ? task -> scheduler.after(0, task) : threads;
     table.observe(id -> signal());
   }
 
@@ -137,7 +152,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   public final <M extends Module> Watch listen(
       ModuleQuery<M> query, DirectoryListener<M> listener) {
     ListenerFeed<M> feed =
-        new ListenerFeed<>(id -> look(id, query), listener, threads, this::dismiss);
+        new ListenerFeed<>(id -> look(id, query), listener, tellers, this::dismiss);
     lock.lock();
     try {
       if (closed) {
@@ -216,7 +231,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
         Proxy.newProxyInstance(
             kind.getClassLoader(),
             new Class<?>[] {kind},
-            new FailoverHandler<>(query, remembered(query), System::nanoTime)));
+            new FailoverHandler<>(query, remembered(query), scheduler::nanos)));
   }
 
   /** What a query finds; asked again only when the table has changed. */

@@ -10,11 +10,13 @@ import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
+import org.dfra.time.Scheduler;
 
 /** The directory of one robot in one virtual machine, without any network. */
 public final class InMemoryModuleDirectory extends CachedModuleDirectory {
 
   private final InstantSource clock;
+  private final Scheduler scheduler;
 
   /** By the system's clock. */
   public InMemoryModuleDirectory() {
@@ -22,11 +24,17 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * @param clock the time; simulated time where the robot is simulated
+   * @param clock the time; simulated time where the robot is simulated. In lock-step, where it is
+   *     the scheduler too, everything here happens by it
    */
   public InMemoryModuleDirectory(InstantSource clock) {
-    super(clock);
+    this(clock, clock instanceof Scheduler scheduler ? scheduler : Scheduler.system());
+  }
+
+  private InMemoryModuleDirectory(InstantSource clock, Scheduler scheduler) {
+    super(clock, scheduler);
     this.clock = clock;
+    this.scheduler = scheduler;
   }
 
   /**
@@ -42,7 +50,8 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
     List<Attributes> now = self.now();
     put(id, module, now, Locality.SAME_VM);
     AttributeFollower follower =
-        new AttributeFollower(now, self::now, news -> put(id, module, news, Locality.SAME_VM));
+        new AttributeFollower(
+            now, self::now, news -> put(id, module, news, Locality.SAME_VM), scheduler);
     return () -> {
       follower.close();
       remove(id);

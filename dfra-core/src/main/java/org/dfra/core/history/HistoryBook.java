@@ -114,7 +114,7 @@ public final class HistoryBook {
       case ACTIVATION -> activations++;
       case FAILURE -> failures++;
       case EXCEPTION -> exceptions++;
-      case RECOVERY, DEACTIVATION -> {
+      case RECOVERY, DEACTIVATION, GAP, EMERGENCY_STOP, RELEASE -> {
         // neither is counted
       }
     }

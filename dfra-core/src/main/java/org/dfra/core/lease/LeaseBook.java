@@ -3,6 +3,7 @@ package org.dfra.core.lease;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -67,14 +68,21 @@ public final class LeaseBook implements AutoCloseable {
     final @Nullable String host;
     final Instant since;
     final Runnable whenOver;
+    final Runnable whenCancelled;
     long end; // guarded by entries; nothing where there is no expiry
     @Nullable Task expiry; // guarded by entries; null where nobody need renew
 
-    Entry(Holder holder, @Nullable String host, Instant since, Runnable whenOver) {
+    Entry(
+        Holder holder,
+        @Nullable String host,
+        Instant since,
+        Runnable whenOver,
+        Runnable whenCancelled) {
       this.holder = holder;
       this.host = host;
       this.since = since;
       this.whenOver = whenOver;
+      this.whenCancelled = whenCancelled;
     }
   }
 
@@ -95,11 +103,26 @@ public final class LeaseBook implements AutoCloseable {
    */
   public Grant grant(Duration asked, Holder holder, @Nullable String host, Runnable whenOver)
       throws LeaseRefusedException {
+    return grant(asked, holder, host, whenOver, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param whenCancelled run once when it is cancelled
+   */
+  public Grant grant(
+      Duration asked,
+      Holder holder,
+      @Nullable String host,
+      Runnable whenOver,
+      Runnable whenCancelled)
+      throws LeaseRefusedException {
     terms.check(module, asked);
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = new Entry(holder, host, clock.instant(), whenOver);
+      Entry entry = new Entry(holder, host, clock.instant(), whenOver, whenCancelled);
       entries.put(id, entry);
       extend(id, entry, asked);
     }
@@ -113,10 +136,20 @@ public final class LeaseBook implements AutoCloseable {
    * @throws LeaseRefusedException if the module has ended
    */
   public UUID hold(Holder holder, Runnable whenOver) throws LeaseRefusedException {
+    return hold(holder, whenOver, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param whenCancelled run once when it is cancelled
+   */
+  public UUID hold(Holder holder, Runnable whenOver, Runnable whenCancelled)
+      throws LeaseRefusedException {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      entries.put(id, new Entry(holder, null, clock.instant(), whenOver));
+      entries.put(id, new Entry(holder, null, clock.instant(), whenOver, whenCancelled));
     }
     tell();
     return id;
@@ -148,8 +181,9 @@ public final class LeaseBook implements AutoCloseable {
 
   /** Ends a lease before its time; false if there is no such lease any more. */
   public boolean cancel(UUID id) {
+    Entry entry;
     synchronized (entries) {
-      Entry entry = entries.remove(id);
+      entry = entries.remove(id);
       if (entry == null) {
         return false;
       }
@@ -157,7 +191,7 @@ public final class LeaseBook implements AutoCloseable {
         entry.expiry.cancel();
       }
     }
-    tell();
+    tellAnd(entry.whenCancelled);
     return true;
   }
 
@@ -178,8 +212,7 @@ public final class LeaseBook implements AutoCloseable {
         remember(id);
       }
     }
-    tell();
-    entry.whenOver.run();
+    tellAnd(entry.whenOver);
     return true;
   }
 
@@ -232,7 +265,7 @@ public final class LeaseBook implements AutoCloseable {
   /** How many clients hold a lease now. */
   public int clients() {
     synchronized (entries) {
-      return (int) entries.values().stream().filter(entry -> entry.holder == Holder.CLIENT).count();
+      return (int) entries.values().stream().filter(entry -> entry.holder.isClient()).count();
     }
   }
 
@@ -245,12 +278,26 @@ public final class LeaseBook implements AutoCloseable {
       over = new HashMap<>(entries);
       entries.clear();
     }
-    tell();
-    for (Entry entry : over.values()) {
+    tellAnd(() -> end(over.values()));
+  }
+
+  private static void end(Collection<Entry> over) {
+    RuntimeException failure = null;
+    for (Entry entry : over) {
       if (entry.expiry != null) {
         entry.expiry.cancel();
       }
-      entry.whenOver.run();
+      try {
+        entry.whenOver.run();
+      } catch (RuntimeException e) { // the others must hear of it too
+        failure = failure == null ? e : failure;
+        if (failure != e) {
+          failure.addSuppressed(e);
+        }
+      }
+    }
+    if (failure != null) {
+      throw failure;
     }
   }
 
@@ -271,8 +318,16 @@ public final class LeaseBook implements AutoCloseable {
       }
       entries.remove(id);
     }
-    tell();
-    entry.whenOver.run();
+    tellAnd(entry.whenOver);
+  }
+
+  /** Tells how many clients are left, and runs {@code then} even where that fails. */
+  private void tellAnd(Runnable then) {
+    try {
+      tell();
+    } finally {
+      then.run();
+    }
   }
 
   private void tell() {

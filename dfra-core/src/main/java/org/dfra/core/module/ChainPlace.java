@@ -3,6 +3,7 @@ package org.dfra.core.module;
 import java.util.HashSet;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
 /** A module's place in its chain: what it is wired to now. */
@@ -11,7 +12,7 @@ public final class ChainPlace {
   private static final Pattern PATH = Pattern.compile("[a-z][a-z0-9_]*/[a-z][a-z0-9_]*");
 
   private final String module;
-  private final List<String> inputTypes;
+  private final Supplier<List<String>> inputTypes;
   private final List<String> outputTypes;
   private final Consumer<List<String>> rewired;
   private List<String> inputs = List.of(); // guarded by this
@@ -19,24 +20,24 @@ public final class ChainPlace {
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param inputTypes what it takes in
+   * @param inputTypes gives what it takes in, always the same
    * @param outputTypes what it puts out
    * @param rewired is told its inputs when they change, before they count
    */
   public ChainPlace(
       String module,
-      List<String> inputTypes,
+      Supplier<List<String>> inputTypes,
       List<String> outputTypes,
       Consumer<List<String>> rewired) {
     this.module = module;
-    this.inputTypes = List.copyOf(inputTypes);
+    this.inputTypes = inputTypes;
     this.outputTypes = List.copyOf(outputTypes);
     this.rewired = rewired;
   }
 
   /** See {@link org.dfra.flow.Chainable#inputTypes}. */
   public List<String> inputTypes() {
-    return inputTypes;
+    return List.copyOf(inputTypes.get());
   }
 
   /** See {@link org.dfra.flow.Chainable#outputTypes}. */
@@ -57,13 +58,16 @@ public final class ChainPlace {
   /** See {@link org.dfra.flow.Chainable#setInputs}. */
   public synchronized void setInputs(List<String> modules) {
     List<String> wanted = List.copyOf(modules);
-    if (!wanted.isEmpty() && wanted.size() != inputTypes.size()) {
+    if (!wanted.isEmpty() && wanted.size() != inputTypes().size()) {
       throw new IllegalArgumentException(
           module
               + " takes "
-              + (inputTypes.isEmpty()
+              + (inputTypes().isEmpty()
                   ? "no input; give it none"
-                  : inputTypes.size() + " inputs (" + String.join(", ", inputTypes) + ") or none")
+                  : inputTypes().size()
+                      + " inputs ("
+                      + String.join(", ", inputTypes())
+                      + ") or none")
               + ", but was given "
               + wanted.size());
     }

@@ -1,9 +1,12 @@
 package org.dfra.core.module;
 
 import java.time.InstantSource;
+import java.util.function.Supplier;
+import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.ModuleDirectory;
 import org.dfra.time.Scheduler;
 
 /**
@@ -17,7 +20,10 @@ import org.dfra.time.Scheduler;
  * @param clock the time; simulated time where the robot is simulated
  * @param state what of the module outlives its virtual machine
  * @param leases what leases the module grants
- * @param scheduler the time of leases and deliveries, which is real even where the robot is not
+ * @param scheduler the time of leases and deliveries; it is real even where the robot is not,
+ *     unless the robot is simulated in lock-step
+ * @param neighbours gives what other modules are found by; asked for only where a module needs
+ *     others
  */
 public record ModuleContext(
     String robot,
@@ -26,7 +32,20 @@ public record ModuleContext(
     InstantSource clock,
     StateStore state,
     LeaseTerms leases,
-    Scheduler scheduler) {
+    Scheduler scheduler,
+    Supplier<ModuleDirectory> neighbours) {
+
+  /** Of a module that needs no others. */
+  public ModuleContext(
+      String robot,
+      String name,
+      Parameters parameters,
+      InstantSource clock,
+      StateStore state,
+      LeaseTerms leases,
+      Scheduler scheduler) {
+    this(robot, name, parameters, clock, state, leases, scheduler, () -> nobody(robot, name));
+  }
 
   /** Of a module that remembers nothing, under the usual terms. */
   public ModuleContext(String robot, String name, Parameters parameters, InstantSource clock) {
@@ -36,7 +55,54 @@ public record ModuleContext(
   /** Of a module under the usual terms. */
   public ModuleContext(
       String robot, String name, Parameters parameters, InstantSource clock, StateStore state) {
-    this(robot, name, parameters, clock, state, LeaseTerms.USUAL, Scheduler.system());
+    this(robot, name, parameters, clock, state, LeaseTerms.USUAL, schedulerOf(clock));
+  }
+
+  /** The same module among others. */
+  public ModuleContext among(ModuleDirectory others) {
+    return new ModuleContext(
+        robot, name, parameters, clock, state, leases, scheduler, () -> others);
+  }
+
+  /** The same module with other leases on it. */
+  public ModuleContext with(LeaseTerms others) {
+    return new ModuleContext(robot, name, parameters, clock, state, others, scheduler, neighbours);
+  }
+
+  /** The same module told other parameters. */
+  ModuleContext with(Parameters others) {
+    return new ModuleContext(robot, name, others, clock, state, leases, scheduler, neighbours);
+  }
+
+  /**
+   * What other modules are found by, those of its own robot and those of others.
+   *
+   * @throws ConfigurationException if it was made without
+   */
+  public ModuleDirectory directory() {
+    return neighbours.get();
+  }
+
+  private static ModuleDirectory nobody(String robot, String name) {
+    throw new ConfigurationException(
+        robot
+            + "/"
+            + name
+            + " needs other modules and was made without a directory; give its context one by"
+            + " ModuleContext.among");
+  }
+
+  /** Where clock and scheduler are one, as in lock-step, nobody can take the wrong one. */
+  private static Scheduler schedulerOf(InstantSource clock) {
+    return clock instanceof Scheduler scheduler ? scheduler : Scheduler.system();
+  }
+
+  /**
+   * The time of the robot itself, for what must happen later to its devices: that of its clock,
+   * where the clock is that of a simulation.
+   */
+  public Scheduler robotTime() {
+    return clock instanceof Scheduler simulated ? simulated : scheduler;
   }
 
   /** {@code robot/name}. */

@@ -3,9 +3,6 @@ package org.dfra.core.module;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.UUID;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.event.EventHub;
@@ -19,8 +16,6 @@ import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.event.delivery.DeliveryPool;
-import org.dfra.event.delivery.ListenerQueue;
-import org.dfra.event.delivery.Tally;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
@@ -31,7 +26,6 @@ import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -56,19 +50,15 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final InstantSource clock;
   private final ParameterTable declared;
   private final EventHub events;
-  private final LeaseBook leases;
   private final HistoryBook history;
+  private final Lifecycle lifecycle;
+  private final LeaseBook leases;
+  private final LocalListeners listeners;
 
-  /** Held while {@link #onStart} or {@link #onClose} runs; taken before {@link #lock}. */
-  private final ReentrantLock lifecycle = new ReentrantLock();
-
-  private final ReentrantLock lock = new ReentrantLock();
-  private final Condition readinessChanged = lock.newCondition();
-  private Readiness readiness = Readiness.CREATED; // guarded by lock
-  private boolean started; // guarded by lock
-  private boolean closed; // guarded by lock
-  private boolean lapsed; // guarded by lock: it served once, and has not come back since
-  private int clients; // guarded by lock
+  /**
+   * Held while {@link #onStart} or {@link #onClose} runs; taken before {@link #lifecycle}'s own.
+   */
+  private final ReentrantLock transition = new ReentrantLock();
 
   /**
    * @param context what the driver is given
@@ -84,12 +74,19 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     this.log = LoggerFactory.getLogger("dfra." + context.robot() + "." + context.name());
     this.declared = new ParameterTable(path(), settings);
     this.events =
-        new EventHub(path(), clock, context.state(), DeliveryPool.shared(), context.scheduler());
-    this.leases =
-        new LeaseBook(path(), context.leases(), clock, context.scheduler(), this::countedClients);
+        new EventHub(
+            path(),
+            clock,
+            context.state(),
+            DeliveryPool.by(context.scheduler()),
+            context.scheduler());
     this.history =
         new HistoryBook(
             path(), context.state(), clock, context.scheduler(), HistoryWriter.shared(), log);
+    this.lifecycle = new Lifecycle(path(), log, events, history, context.scheduler());
+    this.leases =
+        new LeaseBook(path(), context.leases(), clock, context.scheduler(), this::countedClients);
+    this.listeners = new LocalListeners(events, leases, lifecycle);
   }
 
   /**
@@ -98,17 +95,17 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * the caller gets what was thrown, and {@link #close} is still to be called.
    */
   public final void start() {
-    lifecycle.lock();
+    transition.lock();
     try {
-      if (!begin()) {
+      if (!lifecycle.begin()) {
         return;
       }
       onStart();
     } catch (RuntimeException | Error e) {
-      failIfAlive("it could not be started: " + e);
+      lifecycle.failIfAlive("it could not be started: " + e);
       throw e;
     } finally {
-      lifecycle.unlock();
+      transition.unlock();
     }
   }
 
@@ -119,18 +116,25 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    */
   @Override
   public final void close() {
-    if (!end()) {
+    if (!lifecycle.end()) {
       return;
     }
-    leases.close();
-    lifecycle.lock();
     try {
-      if (wasStarted()) {
+      leases.close();
+    } finally { // the device is closed even where a holder's end went wrong
+      closeDevice();
+    }
+  }
+
+  private void closeDevice() {
+    transition.lock();
+    try {
+      if (lifecycle.wasStarted()) {
         onClose();
         history.flush();
       }
     } finally {
-      lifecycle.unlock();
+      transition.unlock();
     }
   }
 
@@ -152,59 +156,6 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    */
   protected void onClients(int number) {}
 
-  private boolean begin() {
-    lock.lock();
-    try {
-      if (started || closed) {
-        return false;
-      }
-      started = true;
-      history.begin();
-      become(Readiness.INITIALIZING);
-      return true;
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  private boolean wasStarted() {
-    lock.lock();
-    try {
-      return started;
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  /** Whether it had not ended before. */
-  private boolean end() {
-    lock.lock();
-    try {
-      if (closed) {
-        return false;
-      }
-      become(Readiness.STOPPED);
-      closed = true;
-      if (started) {
-        note(Incident.Kind.DEACTIVATION, "it was closed");
-      }
-      return true;
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  private void failIfAlive(String why) {
-    lock.lock();
-    try {
-      if (readiness.mayBecome(Readiness.FAILED)) {
-        become(Readiness.FAILED, why);
-      }
-    } finally {
-      lock.unlock();
-    }
-  }
-
   @Override
   public final Identification identification() {
     return identification;
@@ -212,29 +163,12 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
 
   @Override
   public final Readiness readiness() {
-    lock.lock();
-    try {
-      return readiness;
-    } finally {
-      lock.unlock();
-    }
+    return lifecycle.readiness();
   }
 
   @Override
   public final Readiness awaitReadiness(Duration patience) {
-    lock.lock();
-    try {
-      long nanos = TimeUnit.NANOSECONDS.convert(patience); // the longest there is, if too long
-      while (!readiness.serves() && !readiness.isHopeless() && nanos > 0) {
-        nanos = readinessChanged.awaitNanos(nanos);
-      }
-      return readiness;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return readiness;
-    } finally {
-      lock.unlock();
-    }
+    return lifecycle.await(patience);
   }
 
   /**
@@ -244,7 +178,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * @throws IllegalStateException if there is no such arrow
    */
   protected final void become(Readiness next) {
-    become(next, "it went from serving to " + next);
+    lifecycle.become(next);
   }
 
   /**
@@ -253,41 +187,12 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * Readiness#ACTIVE} right after.
    */
   protected final void become(Readiness next, String why) {
-    lock.lock();
-    try {
-      if (readiness == next || closed) {
-        return;
-      }
-      if (!readiness.mayBecome(next)) {
-        throw new IllegalStateException(path() + " cannot go from " + readiness + " to " + next);
-      }
-      Readiness last = readiness;
-      log.info("{}: {} -> {}", path(), last, next);
-      readiness = next;
-      readinessChanged.signalAll();
-      history.serving(next.serves());
-      events.publish(new ModuleEvent.ReadinessChanged(last, next));
-      remember(last, next, why);
-      if (next == Readiness.READY && clients > 0) {
-        become(Readiness.ACTIVE);
-      }
-    } finally {
-      lock.unlock();
-    }
+    lifecycle.become(next, why);
   }
 
-  private void remember(Readiness last, Readiness next, String why) {
-    if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
-      lapsed = true;
-      note(Incident.Kind.FAILURE, why);
-    } else if (lapsed && next.serves()) {
-      lapsed = false;
-      note(Incident.Kind.RECOVERY, "it serves again");
-    }
-  }
-
-  private void note(Incident.Kind kind, String what) {
-    events.publish(new ModuleEvent.IncidentNoted(history.note(kind, what)));
+  /** Something has happened that enters the history, and that listeners hear of. */
+  protected final void note(Incident.Kind kind, String what) {
+    lifecycle.note(kind, what);
   }
 
   /** The driver has caught something and goes on; it enters the history. */
@@ -301,51 +206,13 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   private void countedClients(int number) {
-    lock.lock();
-    try {
-      clients = number;
-      if (closed) {
-        return;
-      }
-      if (number > 0 && readiness == Readiness.READY) {
-        become(Readiness.ACTIVE);
-      } else if (number == 0 && readiness == Readiness.ACTIVE) {
-        become(Readiness.READY);
-      }
-    } finally {
-      lock.unlock();
-    }
+    lifecycle.clients(number);
     onClients(number);
   }
 
   @Override
   public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) {
-    Tally tally = new Tally(listener);
-    EventHub.Entry entry = events.add(tally, policy, ListenerQueue.NEVER, () -> {});
-    tally.begin(entry.numbers());
-    @Nullable UUID lease;
-    try {
-      lease = leases.hold(holder(policy), () -> revoked(entry));
-    } catch (LeaseRefusedException e) { // it has ended, and will not tell anything any more
-      lease = null;
-    }
-    @Nullable UUID held = lease;
-    return new LocalSubscription(
-        tally,
-        () -> held != null && leases.holds(held),
-        () -> {
-          events.remove(entry);
-          if (held != null) {
-            boolean unused = leases.cancel(held);
-          }
-        });
-  }
-
-  /** A listener's lease was ended for it. Of the module's own end it still hears. */
-  private void revoked(EventHub.Entry entry) {
-    if (readiness() != Readiness.STOPPED) {
-      events.remove(entry);
-    }
+    return listeners.add(listener, policy);
   }
 
   /** Who listens to readings is a client; who listens to anything else only watches. */

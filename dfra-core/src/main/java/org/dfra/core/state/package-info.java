@@ -1,6 +1,6 @@
 /**
- * What of a module outlives its virtual machine: its history, the numbers of its events. Enter at
- * {@link org.dfra.core.state.StateStore}.
+ * What of a module outlives its virtual machine: its history, the numbers of its events, whether it
+ * is stopped for an emergency. Enter at {@link org.dfra.core.state.StateStore}.
  */
 @NullMarked
 package org.dfra.core.state;

@@ -14,8 +14,8 @@ import java.util.Map;
 final class RobotFolder {
 
   static final String CLASSES =
-      "server=org.dfra.river.server.GPSServer\n"
-          + "proxy=org.dfra.river.proxy.GPSProxy\n"
+      "server=org.dfra.river.server.sensor.GPSServer\n"
+          + "proxy=org.dfra.river.proxy.sensor.GPSProxy\n"
           + "driver=org.dfra.drivers.gps.m12.M12PlusImpl\n";
 
   final Map<String, String> variables = new HashMap<>();

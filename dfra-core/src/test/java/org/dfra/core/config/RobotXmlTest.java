@@ -54,8 +54,8 @@ class RobotXmlTest {
     assertThat(gps.registrar()).isEmpty();
     ModuleDescription module = robot.modules().get(0);
     assertThat(module.path()).isEqualTo("atrv1/gps_front");
-    assertThat(module.serverClass()).isEqualTo("org.dfra.river.server.GPSServer");
-    assertThat(module.proxyClass()).isEqualTo("org.dfra.river.proxy.GPSProxy");
+    assertThat(module.serverClass()).isEqualTo("org.dfra.river.server.sensor.GPSServer");
+    assertThat(module.proxyClass()).isEqualTo("org.dfra.river.proxy.sensor.GPSProxy");
     assertThat(module.driverClass()).isEqualTo("org.dfra.drivers.gps.m12.M12PlusImpl");
     assertThat(module.configuration()).isNull();
     assertThat(module.restart()).isFalse();
@@ -119,7 +119,7 @@ class RobotXmlTest {
             .readModule();
 
     assertThat(module.driverClass()).isEqualTo("a.Other");
-    assertThat(module.proxyClass()).isEqualTo("org.dfra.river.proxy.GPSProxy");
+    assertThat(module.proxyClass()).isEqualTo("org.dfra.river.proxy.sensor.GPSProxy");
   }
 
   @Test

@@ -107,6 +107,76 @@ class LeaseBookTest {
   }
 
   @Test
+  void tellsAnEndApartFromALeaseThatIsGivenBack() throws Exception {
+    Grant given =
+        book.grant(
+            Duration.ofSeconds(10),
+            Holder.COMMANDER,
+            null,
+            () -> over.add("given over"),
+            () -> over.add("given cancelled"));
+    UUID held =
+        book.hold(Holder.COMMANDER, () -> over.add("held over"), () -> over.add("held cancelled"));
+    assertThat(book.cancel(given.id())).isTrue();
+    assertThat(book.cancel(given.id())).isFalse();
+    time.step(Duration.ofSeconds(10));
+    assertThat(book.cancel(held)).isTrue();
+    book.close();
+    assertThat(over).containsExactly("given cancelled", "held cancelled");
+    assertThat(told).as("a commander is a client").containsExactly(1, 2, 1, 0);
+  }
+
+  @Test
+  void anEndIsToldOnceWhicheverComesFirst() throws Exception {
+    Runnable cancelled = () -> over.add("cancelled");
+    Grant expired =
+        book.grant(
+            Duration.ofSeconds(1), Holder.COMMANDER, null, () -> over.add("expired"), cancelled);
+    time.step(Duration.ofSeconds(1));
+    UUID revoked = book.hold(Holder.COMMANDER, () -> over.add("revoked"), cancelled);
+    assertThat(book.revoke(revoked)).isTrue();
+    UUID closed = book.hold(Holder.COMMANDER, () -> over.add("closed"), cancelled);
+    book.close();
+    assertThat(book.cancel(expired.id()) || book.cancel(revoked) || book.cancel(closed)).isFalse();
+    assertThat(over).containsExactly("expired", "revoked", "closed");
+  }
+
+  @Test
+  void whoeverFailsToHearOfAnEndKeepsNobodyElseFromIt() throws Exception {
+    IllegalStateException deaf = new IllegalStateException("deaf");
+    for (int i = 0; i < 3; i++) {
+      UUID unused =
+          book.hold(
+              Holder.CLIENT,
+              () -> {
+                over.add("one");
+                throw deaf;
+              });
+    }
+    assertThatThrownBy(book::close).isSameAs(deaf);
+    assertThat(over).containsExactly("one", "one", "one");
+    assertThat(told).containsExactly(1, 2, 3, 0);
+  }
+
+  @Test
+  void anEndIsToldEvenWhereTheCountIsNot() throws Exception {
+    LeaseBook broken =
+        new LeaseBook(
+            "atrv1/gps",
+            LeaseTerms.USUAL,
+            InstantSource.fixed(Instant.EPOCH),
+            time,
+            clients -> {
+              if (clients == 0) {
+                throw new IllegalStateException("cannot count to zero");
+              }
+            });
+    UUID held = broken.hold(Holder.COMMANDER, () -> {}, () -> over.add("cancelled"));
+    assertThatThrownBy(() -> broken.cancel(held)).hasMessage("cannot count to zero");
+    assertThat(over).containsExactly("cancelled");
+  }
+
+  @Test
   void refusesTermsThatCannotBeKept() {
     assertThatThrownBy(() -> new LeaseTerms(Duration.ofSeconds(1), Duration.ofSeconds(2)))
         .hasMessage("usual lease 2 s is outside 0.001 s to the longest 1 s");

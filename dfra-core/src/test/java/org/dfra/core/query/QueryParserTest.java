@@ -101,8 +101,13 @@ class QueryParserTest {
         "`` | at the end: a kind of module, such as GPSSensor, must stand here, not the end",
         "GPSSensr | at character 1: there is no kind of module \"GPSSensr\"; did you mean"
             + " \"GPSSensor\"?",
-        "Toaster | at character 1: there is no kind of module \"Toaster\"; there is GPSSensor,"
-            + " LocalGPSSensor, LocationSensor, Module, Sensor, TimeSensor",
+        "Toaster | at character 1: there is no kind of module \"Toaster\"; there is"
+            + " AngularRateSensor, BatterySensor, Behavior, CameraSensor, Device, DriveEffector,"
+            + " Effector, FlightEffector, FollowWaypoints, FuzzyDrive, GPSSensor, GoToWaypoint,"
+            + " HeadingError, LocalGPSSensor, LocationSensor, MineDetector, Module, MotorSchema,"
+            + " OdometrySensor, PanTiltEffector, PerceptualSchema, PositionEstimator, RangeFilter,"
+            + " RangeSensor, RasterSearch, Recruiting, RecruitmentAgent, ReturnHome, Schema,"
+            + " Script, Sensor, TeamTracker, TimeSensor",
         "Sensor wiht x | at character 8: \"wiht\" begins no condition; did you mean \"with\"?",
         "Sensor near here | at character 8: \"near\" begins no condition; go on with named, on,"
             + " with or within",
@@ -113,7 +118,9 @@ class QueryParserTest {
         "Sensor with Senso.maxRate >= 1 | at character 13: there are no attributes \"Senso\"; did"
             + " you mean \"Sensor\"?",
         "Sensor with laser.maxRate >= 1 | at character 13: there are no attributes \"laser\";"
-            + " there is Chain, Everything, GpsReceiver, Location, Module, Pose, Sensor",
+            + " there is Behavior, Camera, Chain, Drive, Effector, Everything, Flight, GpsReceiver,"
+            + " Location, Module, MotorSchema, PanTilt, PerceptualSchema, Pose, Range, Recruitment,"
+            + " Sensor, Stop",
         "Sensor with sensor.maxRat >= 1 | at character 13: SensorAttributes has no component"
             + " \"maxRat\"; did you mean \"maxRate\"?",
         "Sensor with sensor.volume >= 1 | at character 13: SensorAttributes has no component"

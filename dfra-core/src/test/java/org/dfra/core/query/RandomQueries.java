@@ -76,8 +76,8 @@ final class RandomQueries {
           : Condition.equalTo(List.of(text(), text()).subList(0, random.nextInt(3)));
     } else if (type == boolean.class) {
       return Condition.equalTo(random.nextBoolean());
-    } else if (type == Readiness.class) {
-      return Condition.equalTo(any(List.of(Readiness.values())));
+    } else if (type.isEnum()) {
+      return Condition.equalTo(any(List.of((Enum<?>[]) type.getEnumConstants())));
     } else if (type == Instant.class) {
       return Condition.equalTo(Instant.ofEpochMilli(random.nextInt()));
     }

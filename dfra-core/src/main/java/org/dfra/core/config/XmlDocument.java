@@ -11,27 +11,27 @@ import org.jdom2.input.SAXBuilder;
 import org.jdom2.input.sax.XMLReaders;
 import org.jdom2.located.LocatedJDOMFactory;
 
-/** A text taken for a robot's XML: it must be well-formed, and about a robot. */
-final class RobotDocument {
+/** A text taken for XML of some kind: it must be well-formed, and of that kind. */
+final class XmlDocument {
 
   private static final String NO_DOCTYPE = "http://apache.org/xml/features/disallow-doctype-decl";
 
-  private RobotDocument() {}
+  private XmlDocument() {}
 
   /**
    * The root element; it and all below it know their lines.
    *
-   * @throws ConfigurationException if the text is not well-formed or its root is no robot
+   * @throws ConfigurationException if the text is not well-formed or its root is another one
    */
-  static Element root(byte[] text, Place whole) {
+  static Element root(byte[] text, Place whole, XmlSchema schema) {
     SAXBuilder builder = new SAXBuilder(XMLReaders.NONVALIDATING, null, new LocatedJDOMFactory());
     // Without a document type there is no entity, so nothing outside of the text is ever read.
     builder.setFeature(NO_DOCTYPE, true);
     builder.setExpandEntities(false);
-    builder.setProperty(RobotSchema.LOCALE, Locale.ROOT);
+    builder.setProperty(XmlSchema.LOCALE, Locale.ROOT);
     try {
       Element root = builder.build(new ByteArrayInputStream(text)).getRootElement();
-      requireRobot(root, whole);
+      requireRoot(root, whole, schema);
       return root;
     } catch (JDOMParseException e) {
       Place place = new Place(whole.file(), Math.max(0, e.getLineNumber()));
@@ -42,9 +42,9 @@ final class RobotDocument {
     }
   }
 
-  private static void requireRobot(Element root, Place whole) {
-    Namespace namespace = RobotSchema.NAMESPACE;
-    if (root.getName().equals("robot") && root.getNamespace().equals(namespace)) {
+  private static void requireRoot(Element root, Place whole, XmlSchema schema) {
+    Namespace namespace = schema.namespace();
+    if (root.getName().equals(schema.root()) && root.getNamespace().equals(namespace)) {
       return;
     }
     String written =
@@ -57,7 +57,9 @@ final class RobotDocument {
             + root.getName()
             + "> "
             + written
-            + "; write <robot xmlns=\""
+            + "; write <"
+            + schema.root()
+            + " xmlns=\""
             + namespace.getURI()
             + "\" …>");
   }

@@ -1,0 +1,179 @@
+package org.dfra.core.behavior;
+
+import java.rmi.RemoteException;
+import java.util.Optional;
+import java.util.UUID;
+import org.dfra.behavior.Behavior;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.Goal;
+import org.dfra.core.chain.Errands;
+import org.dfra.core.module.Needed;
+import org.dfra.module.NotReadyException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * A goal of one behaviour that another pursues for it.
+ *
+ * <p>Where the other cannot be told to give it up, or its answer was lost so that nobody knows
+ * whether it has begun, it is told again every second until it has answered.
+ *
+ * @param <G> what the other can reach
+ * @param <B> the other's kind
+ */
+public final class Delegation<G extends Goal, B extends Behavior<G>> {
+
+  private static final long RETRY_NANOS = 1_000_000_000;
+
+  /**
+   * What may still be pursued though nobody wants it.
+   *
+   * @param goal its name; null where the answer that told it was lost
+   * @param before what the other was at before; counts where the name is not known
+   */
+  private record Loose<B>(B worker, @Nullable UUID goal, @Nullable UUID before) {
+
+    boolean isAt(BehaviorStatus now) {
+      @Nullable UUID at = now.goal();
+      return now.phase().isUnderWay()
+          && at != null
+          && (goal == null ? !at.equals(before) : at.equals(goal));
+    }
+  }
+
+  private final String path;
+  private final Needed<B> needed;
+  private final Errands errands;
+  private final Logger log;
+  private @Nullable B worker; // guarded by this
+  private @Nullable UUID goal; // guarded by this
+  private @Nullable Loose<B> loose; // guarded by this
+  private boolean isTold; // guarded by this; that something is loose
+
+  /**
+   * @param path of the behaviour that delegates, for messages
+   * @param needed who can do it
+   * @param errands of the behaviour that delegates
+   */
+  public Delegation(String path, Needed<B> needed, Errands errands, Logger log) {
+    this.path = path;
+    this.needed = needed;
+    this.errands = errands;
+    this.log = log;
+  }
+
+  /**
+   * Has it pursued.
+   *
+   * @throws org.dfra.behavior.GoalRefusedException if the other does not take it up, or is {@link
+   *     org.dfra.behavior.GoalRefusedException#isBusy busy}
+   * @throws RemoteException if the other does not answer; it may have taken it up nevertheless, and
+   *     {@link #end} has it give that up
+   */
+  public synchronized void begin(G wanted) throws RemoteException {
+    B chosen = needed.now();
+    @Nullable UUID before = chosen.status().goal();
+    try {
+      goal = chosen.pursue(wanted);
+    } catch (RemoteException e) {
+      loose = new Loose<>(chosen, null, before);
+      throw e;
+    }
+    worker = chosen;
+    loose = null;
+  }
+
+  /**
+   * Takes over what an earlier process of the one that delegates has begun, if the best there is
+   * now is still at it.
+   *
+   * @param begun as {@link #goal} was then
+   * @return whether it is; from then on it is as if it had been begun here
+   * @throws RemoteException if the other does not answer; then nobody knows
+   * @throws NotReadyException if there is none; then nobody knows either
+   */
+  public synchronized boolean adopt(UUID begun) throws RemoteException {
+    B chosen = needed.now();
+    BehaviorStatus status = chosen.status();
+    if (!begun.equals(status.goal()) || !status.phase().isUnderWay()) {
+      return false;
+    }
+    worker = chosen;
+    goal = begun;
+    return true;
+  }
+
+  /** What is pursued for it, by name; nothing where nothing is, as far as is known here. */
+  public synchronized Optional<UUID> goal() {
+    return Optional.ofNullable(goal);
+  }
+
+  /** Whether the other may still be at what nobody wants any more; it is told again then. */
+  public synchronized boolean isLoose() {
+    return loose != null;
+  }
+
+  /**
+   * How far the other is.
+   *
+   * @return nothing where it has not begun, has ended here, or was lost: the other died, or
+   *     somebody else uses it
+   */
+  public synchronized Optional<BehaviorStatus> status() throws RemoteException {
+    @Nullable B by = worker;
+    @Nullable UUID wanted = goal;
+    if (by == null || wanted == null) {
+      return Optional.empty();
+    }
+    BehaviorStatus status = by.status();
+    if (!wanted.equals(status.goal())) {
+      forget();
+      return Optional.empty();
+    }
+    return Optional.of(status);
+  }
+
+  /** The other has ended it. */
+  public synchronized void forget() {
+    goal = null;
+  }
+
+  /** Has the other give it up, if it is still at it. Never throws what the other throws. */
+  public synchronized void end() {
+    @Nullable B by = worker;
+    @Nullable UUID wanted = goal;
+    worker = null;
+    goal = null;
+    if (by != null && wanted != null) {
+      loose = new Loose<>(by, wanted, null);
+    }
+    cut();
+  }
+
+  /** Holds the lock. */
+  private void cut() {
+    @Nullable Loose<B> left = loose;
+    if (left == null) {
+      return;
+    }
+    try {
+      if (left.isAt(left.worker().status())) { // not what somebody else has asked for since
+        left.worker().cancel();
+      }
+      loose = null;
+    } catch (NotReadyException e) { // it has ended, and all that it commanded with it
+      loose = null;
+    } catch (RemoteException e) {
+      if (!isTold) {
+        isTold = true;
+        log.warn("{}: {} cannot be told to stop yet: {}", path, left.worker(), e.toString());
+        errands.later(RETRY_NANOS, this::again);
+      }
+    }
+  }
+
+  private synchronized void again() {
+    isTold = false;
+    cut();
+  }
+}

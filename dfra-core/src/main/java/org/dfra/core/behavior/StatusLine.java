@@ -1,0 +1,100 @@
+package org.dfra.core.behavior;
+
+import java.time.InstantSource;
+import java.util.Objects;
+import java.util.Set;
+import java.util.UUID;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a behaviour says of itself: one status, which follows the arrows of {@link Phase}. Several
+ * threads move it: the one that takes turns, and those that pause, resume and cancel. Whoever comes
+ * second finds that the arrow he wanted does not begin where the status is now, and changes
+ * nothing.
+ *
+ * <p>Those who listen are told under this object's lock, in the order of what happened; they must
+ * not wait.
+ */
+final class StatusLine {
+
+  private static final double NOTABLE = 0.005; // share of the goal that is worth an event
+
+  private final InstantSource clock;
+  private final Consumer<BehaviorStatus> listener;
+  private final BiConsumer<Phase, BehaviorStatus> onPhase;
+  private volatile BehaviorStatus status; // written under this object's lock
+
+  /**
+   * @param listener is told each status that is news
+   * @param onPhase is told, before that, the phase that was left and the status with the new one
+   */
+  StatusLine(
+      InstantSource clock,
+      Consumer<BehaviorStatus> listener,
+      BiConsumer<Phase, BehaviorStatus> onPhase) {
+    this.clock = clock;
+    this.listener = listener;
+    this.onPhase = onPhase;
+    this.status = new BehaviorStatus(clock.instant(), null, Phase.IDLE, "it has no goal yet", 0, 0);
+  }
+
+  BehaviorStatus now() {
+    return status;
+  }
+
+  Phase phase() {
+    return status.phase();
+  }
+
+  /** There is a new goal, whatever was before. */
+  synchronized void begin(UUID goal, Phase phase, String doing, double done, int missed) {
+    say(goal, phase, doing, done, missed);
+  }
+
+  /**
+   * The same goal, in another phase.
+   *
+   * @return false where it is in none of the phases {@code from}: nothing is changed
+   */
+  synchronized boolean move(Set<Phase> from, Phase to, String doing) {
+    if (!from.contains(status.phase())) {
+      return false;
+    }
+    say(status.goal(), to, doing, status.done(), status.missed());
+    return true;
+  }
+
+  /** How far it is now; nothing where somebody has stopped it meanwhile. */
+  void goOn(String doing, double done, int missed) {
+    end(Phase.RUNNING, doing, done, missed);
+  }
+
+  /** It runs no more, for this reason; nothing where somebody has stopped it meanwhile. */
+  synchronized void end(Phase phase, String why, double done, int missed) {
+    if (status.phase() == Phase.RUNNING) {
+      say(status.goal(), phase, why, done, missed);
+    }
+  }
+
+  private void say(@Nullable UUID goal, Phase phase, String doing, double done, int missed) {
+    BehaviorStatus last = status;
+    boolean same =
+        Objects.equals(goal, last.goal())
+            && phase == last.phase()
+            && doing.equals(last.doing())
+            && missed == last.missed();
+    if (same && done - last.done() < NOTABLE) {
+      return;
+    }
+    BehaviorStatus fresh = new BehaviorStatus(clock.instant(), goal, phase, doing, done, missed);
+    status = fresh;
+    if (phase != last.phase()) {
+      onPhase.accept(last.phase(), fresh);
+    }
+    listener.accept(fresh);
+  }
+}

@@ -1,0 +1,191 @@
+package org.dfra.core.effector;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.core.module.DeviceImpl;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.flow.effector.Command;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.Effector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Incident;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.StopAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Base of every effector's driver. It stands in front of the driver: what does not come from the
+ * commander never reaches it, whether the caller is in this virtual machine or elsewhere, and
+ * nothing does while it is stopped for an emergency.
+ *
+ * @param <C> what it can be told
+ */
+public abstract class EffectorImpl<C extends Command> extends DeviceImpl implements Effector<C> {
+
+  private final Helm helm;
+  private final EmergencyStop stop;
+
+  /**
+   * See {@link org.dfra.core.module.ModuleImpl}.
+   *
+   * @param takes the commands it takes, by the simple names of their classes
+   * @param puts the types of what it tells, by the simple names of their classes
+   * @param preconditions what its environment must be like
+   */
+  protected EffectorImpl(
+      ModuleContext context,
+      String description,
+      String author,
+      String version,
+      List<String> takes,
+      List<String> puts,
+      List<Precondition> preconditions) {
+    super(context, description, author, version, takes, puts, preconditions);
+    StopLatch latch = new StopLatch(context.path(), context.state(), context.clock(), log);
+    this.helm = new Helm(context.path(), context.clock(), this::commanderLost, latch, this::revoke);
+    this.stop = new EmergencyStop(context.path(), latch, helm, new StopEnds());
+  }
+
+  /**
+   * The commander, whose right has been looked at, wants this. Called one at a time, in order,
+   * while the module serves; must not block.
+   *
+   * @throws IllegalArgumentException if the device cannot do this at all; the message says what it
+   *     can
+   */
+  protected abstract void obey(C command);
+
+  /**
+   * There is no commander any more: comes to rest, as safely as the device can. Called between
+   * commands, also while the module does not serve and while it is being closed; must not block.
+   */
+  protected abstract void rest();
+
+  /**
+   * It is stopped for an emergency, and a command is still under way in the driver, on another
+   * thread, and seems to be held up. Does what can be done nevertheless; {@link #rest} follows when
+   * the command is over. Nothing, unless a driver can do something safely.
+   */
+  protected void restMeanwhile() {}
+
+  /**
+   * Why it does not serve while it does not, as a clause, for those whose command is not obeyed;
+   * null where there is nothing to be said.
+   */
+  protected @Nullable String awaits() {
+    return null;
+  }
+
+  private void commanderLost() {
+    log.info("{}: it has no commander any more and comes to rest", path());
+    try {
+      rest();
+    } catch (RuntimeException e) { // a driver's fault must not keep others from ending their part
+      log.error("{}: it could not be told to come to rest", path(), e);
+      survived(e);
+    }
+  }
+
+  private void revoke(UUID lease) {
+    boolean unused = leases().revoke(lease);
+  }
+
+  private final class StopEnds implements EmergencyStop.Ends {
+
+    @Override
+    public void rest() {
+      EffectorImpl.this.rest();
+    }
+
+    @Override
+    public void restMeanwhile() {
+      try {
+        EffectorImpl.this.restMeanwhile();
+      } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows
+        log.error("{}: it could not be halted while it is held up", path(), e);
+      }
+    }
+
+    /** Before its life and after it there is nothing to be noted in. */
+    @Override
+    public void note(Incident.Kind kind, String what) {
+      log.warn("{}: {}", path(), what);
+      Readiness readiness = readiness();
+      if (readiness != Readiness.CREATED && readiness != Readiness.STOPPED) {
+        EffectorImpl.this.note(kind, what);
+      }
+    }
+
+    @Override
+    public void revoke(UUID lease) {
+      EffectorImpl.this.revoke(lease);
+    }
+  }
+
+  @Override
+  public final StopState emergencyStop(String by) {
+    return stop.stop(by);
+  }
+
+  @Override
+  public final StopState releaseStop(String by) {
+    return stop.release(by);
+  }
+
+  @Override
+  public final StopState stopState() {
+    return stop.state();
+  }
+
+  /** {@inheritDoc} Whether it is stopped for an emergency. */
+  @Override
+  protected final List<? extends Attributes> traitsOfItsSort() {
+    StopState now = stop.state();
+    return List.of(new StopAttributes(now.latched(), now.by(), now.since()));
+  }
+
+  @Override
+  public final CommandLease command(Duration duration) throws LeaseRefusedException {
+    leases().terms().check(path(), duration);
+    UUID[] lease = new UUID[1];
+    CommandKey key =
+        helm.take(
+            "a module in its own virtual machine",
+            whenOver -> lease[0] = leases().hold(Holder.COMMANDER, whenOver, whenOver));
+    return new LocalCommandLease(leases(), lease[0], key, duration, clock());
+  }
+
+  @Override
+  public final void obey(CommandKey key, C command) {
+    helm.obey(
+        key,
+        () -> {
+          Readiness readiness = readiness();
+          if (!readiness.serves()) {
+            @Nullable String awaits = awaits();
+            throw new NotReadyException(
+                path(),
+                readiness,
+                "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
+          }
+          obey(command);
+        });
+  }
+
+  /** Who commands it, for whoever serves it to the network. */
+  public final Helm helm() {
+    return helm;
+  }
+
+  /** Who commands it, for people; null while nobody does. */
+  protected final @Nullable String commander() {
+    return helm.commander();
+  }
+}

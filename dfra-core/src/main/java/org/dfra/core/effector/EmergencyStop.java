@@ -1,0 +1,178 @@
+package org.dfra.core.effector;
+
+import java.time.Duration;
+import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.flow.effector.StopState;
+import org.dfra.module.Incident;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Stops an effector, whatever its driver is busy with.
+ *
+ * <pre>
+ *   latch (no command counts any more) --&gt; depose the commander --&gt; have the driver come to rest
+ *     --&gt; write the latch down --&gt; end the commander's lease
+ * </pre>
+ *
+ * <p>The driver is told on a thread of its own ({@code robot/name stop}), which begins with a stop
+ * and ends when the driver has come to rest: a driver that is held up holds up nobody who stops it.
+ */
+final class EmergencyStop {
+
+  /** How long a stop waits for the driver before it goes on. */
+  private static final Duration PATIENCE = Duration.ofMillis(500);
+
+  /** What it has to do with. */
+  interface Ends {
+
+    /** Comes to rest, between commands; see {@link EffectorImpl#rest}. */
+    void rest();
+
+    /** See {@link EffectorImpl#restMeanwhile}. */
+    void restMeanwhile();
+
+    /** Something enters the history. */
+    void note(Incident.Kind kind, String what);
+
+    /** Ends the lease of a commander who was deposed. */
+    void revoke(UUID lease);
+  }
+
+  private final String module;
+  private final StopLatch latch;
+  private final Helm helm;
+  private final Ends ends;
+
+  private final Object halting = new Object();
+  private @Nullable Halt last; // guarded by halting
+
+  EmergencyStop(String module, StopLatch latch, Helm helm, Ends ends) {
+    this.module = module;
+    this.latch = latch;
+    this.helm = helm;
+    this.ends = ends;
+  }
+
+  /** Once the driver comes to rest. */
+  private final class Halt implements Runnable {
+    final CountDownLatch over = new CountDownLatch(1);
+    boolean begun; // guarded by halting
+    volatile @Nullable String fault;
+
+    @Override
+    public void run() {
+      try {
+        helm.betweenCommands(this::rest, ends::restMeanwhile);
+      } catch (RuntimeException | Error e) { // a driver's fault; it is told to whoever asks
+        fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
+        ends.note(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
+      } finally {
+        over.countDown();
+      }
+    }
+
+    private void rest() {
+      synchronized (halting) {
+        begun = true; // who stops it from now on wants more than this
+      }
+      ends.rest();
+    }
+
+    @Nullable String fault() {
+      return over.getCount() > 0
+          ? "its driver is held up, and comes to rest as soon as it goes on"
+          : fault;
+    }
+  }
+
+  /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
+  StopState stop(String by) {
+    boolean isNew = latch.engage(by);
+    @Nullable UUID lease = helm.depose();
+    Halt halt = halt();
+    if (isNew) {
+      ends.note(
+          Incident.Kind.EMERGENCY_STOP,
+          "it was stopped for an emergency, by " + latch.state().by());
+    }
+    boolean interrupted = await(halt);
+    try {
+      keep();
+      if (lease != null) {
+        ends.revoke(lease);
+      }
+    } finally {
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+    return state();
+  }
+
+  private Halt halt() {
+    Halt halt;
+    synchronized (halting) {
+      @Nullable Halt waiting = last;
+      if (waiting != null && !waiting.begun) {
+        return waiting;
+      }
+      halt = new Halt();
+      last = halt;
+    }
+    Thread thread = new Thread(halt, module + " stop");
+    thread.setDaemon(true);
+    thread.setPriority(Thread.MAX_PRIORITY);
+    try {
+      thread.start();
+    } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+      halt.run();
+    }
+    return halt;
+  }
+
+  /** Whether the thread was interrupted; that must not keep it from writing. */
+  private static boolean await(Halt halt) {
+    boolean interrupted = Thread.interrupted();
+    try {
+      boolean unused = halt.over.await(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      interrupted = true;
+    }
+    return interrupted;
+  }
+
+  private void keep() {
+    if (!latch.keep()) {
+      ends.note(
+          Incident.Kind.EXCEPTION,
+          "of its emergency stop: " + String.valueOf(latch.state().fault()));
+    }
+  }
+
+  /** See {@link org.dfra.flow.effector.Effector#releaseStop}. */
+  StopState release(String by) {
+    if (latch.release(by)) {
+      keep();
+      ends.note(
+          Incident.Kind.RELEASE,
+          "it was released from its emergency stop, by " + latch.state().by());
+    }
+    return state();
+  }
+
+  /** See {@link org.dfra.flow.effector.Effector#stopState}. */
+  StopState state() {
+    StopState stop = latch.state();
+    @Nullable Halt halt;
+    synchronized (halting) {
+      halt = last;
+    }
+    @Nullable String fault = stop.latched() && halt != null ? halt.fault() : null;
+    return fault == null
+        ? stop
+        : new StopState(
+            stop.latched(), stop.by(), stop.since(), false, StopLatch.join(fault, stop.fault()));
+  }
+}

@@ -1,0 +1,256 @@
+package org.dfra.core.effector;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.lease.LeaseRefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who commands an effector: one holder of a lease at the most.
+ *
+ * <p>Commands, and what happens when the commander is lost, exclude each other: once a key does not
+ * count any more, nothing that came with it is still obeyed. An emergency stop is the exception: it
+ * deposes the commander even while a command is under way, and rest comes when that is over.
+ */
+public final class Helm {
+
+  /** Grants the lease that goes with the helm. */
+  @FunctionalInterface
+  public interface Granting {
+
+    /**
+     * @param whenOver to be run once when the lease is over, in whichever way
+     * @return what administrators name the lease by
+     */
+    UUID grant(Runnable whenOver) throws LeaseRefusedException;
+  }
+
+  private record Commander(CommandKey key, String name, Instant since) {}
+
+  private final String module;
+  private final InstantSource clock;
+  private final Runnable lost;
+  private final StopLatch stop;
+  private final Consumer<UUID> revoke;
+
+  /** Held while a command is obeyed or the device comes to rest; taken before this. */
+  private final ReentrantLock acting = new ReentrantLock();
+
+  private volatile @Nullable Commander commander; // written under this
+  private @Nullable UUID lease; // guarded by this
+  private volatile @Nullable CommandKey stopped; // written under this; deposed by the last stop
+
+  /**
+   * @param module the effector's path, {@code robot/name}
+   * @param lost run when the commander is lost, before anybody else can be; must not block, nor
+   *     throw
+   * @param stop nobody commands while it is latched
+   * @param revoke ends a lease that goes with no command
+   */
+  Helm(String module, InstantSource clock, Runnable lost, StopLatch stop, Consumer<UUID> revoke) {
+    this.module = module;
+    this.clock = clock;
+    this.lost = lost;
+    this.stop = stop;
+    this.revoke = revoke;
+  }
+
+  /**
+   * Makes someone the commander.
+   *
+   * @param name who it is, for people
+   * @param granting grants the lease; called only where the helm is free
+   * @throws LeaseRefusedException if there is a commander, the effector is stopped for an
+   *     emergency, or no lease is granted
+   */
+  public CommandKey take(String name, Granting granting) throws LeaseRefusedException {
+    refuseALeaseWhileStopped(); // also while the driver is held up
+    CommandKey key = new CommandKey(UUID.randomUUID());
+    acting.lock();
+    try {
+      begin(new Commander(key, name, clock.instant()));
+    } finally {
+      acting.unlock();
+    }
+    @Nullable UUID granted = null;
+    try {
+      granted = granting.grant(() -> release(key));
+    } finally {
+      if (granted == null) {
+        giveUp(key);
+      }
+    }
+    synchronized (this) {
+      if (isHeldBy(key)) {
+        lease = granted;
+        return key;
+      }
+    }
+    revoke.accept(granted); // it was deposed meanwhile, or the lease is over by now
+    refuseALeaseWhileStopped();
+    return key;
+  }
+
+  private void refuseALeaseWhileStopped() throws LeaseRefusedException {
+    if (stop.isLatched()) {
+      throw new StoppedLeaseException(stop.refusal());
+    }
+  }
+
+  private synchronized void begin(Commander next) throws LeaseRefusedException {
+    refuseALeaseWhileStopped(); // who stops it latches first, so nobody slips in after depose
+    @Nullable Commander other = commander;
+    if (other != null) {
+      throw new LeaseRefusedException(
+          module
+              + " is commanded by "
+              + other.name()
+              + " since "
+              + other.since()
+              + "; wait until it lets go, or have its lease"
+              + (lease == null ? "" : " " + lease)
+              + " revoked");
+    }
+    commander = next;
+  }
+
+  /**
+   * Does what the commander says, before anybody else can become the commander.
+   *
+   * @throws CommandRefusedException if the key is not the commander's, or the effector is stopped
+   *     for an emergency
+   */
+  void obey(CommandKey key, Runnable command) {
+    refuseACommandWhileStopped(); // also while the driver is held up
+    acting.lock();
+    try {
+      refuseACommandWhileStopped();
+      refuseUnlessHeldBy(key);
+      command.run();
+    } finally {
+      acting.unlock();
+    }
+  }
+
+  private void refuseACommandWhileStopped() {
+    if (stop.isLatched()) {
+      throw new StoppedCommandException(stop.refusal());
+    }
+  }
+
+  private void refuseUnlessHeldBy(CommandKey key) {
+    if (key.equals(stopped)) {
+      throw new StoppedCommandException(
+          module
+              + " was stopped for an emergency while this key commanded it, and was released since;"
+              + " whoever is to move it again asks it for a new command lease");
+    }
+    if (!isHeldBy(key)) {
+      @Nullable Commander other = commander;
+      throw new CommandRefusedException(
+          module
+              + (other == null
+                  ? " has no commander, and this key counts no longer; ask it for a command lease"
+                  : " is commanded by "
+                      + other.name()
+                      + " since "
+                      + other.since()
+                      + "; this key is not, or no longer, its commander's"));
+    }
+  }
+
+  /**
+   * Takes the command from whoever has it, for an emergency, without waiting for a command that is
+   * under way. The device is to come to rest then; see {@link #betweenCommands}. Who is deposed is
+   * told of the stop with its next command, also when the effector was released by then: it is not
+   * to take the lease anew and drive on.
+   *
+   * @return the commander's lease, which is to end; null where there is none
+   */
+  synchronized @Nullable UUID depose() {
+    @Nullable UUID over = lease;
+    @Nullable Commander deposed = commander;
+    if (deposed != null) {
+      stopped = deposed.key();
+    }
+    commander = null;
+    lease = null;
+    return over;
+  }
+
+  /**
+   * Does something as soon as no command is under way.
+   *
+   * @param meanwhile done before, once, where a command does not end within a tenth of a second
+   */
+  void betweenCommands(Runnable task, Runnable meanwhile) {
+    if (!isFreeSoon()) {
+      meanwhile.run();
+      acting.lock();
+    }
+    try {
+      task.run();
+    } finally {
+      acting.unlock();
+    }
+  }
+
+  private boolean isFreeSoon() {
+    try {
+      return acting.tryLock(100, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /** Whether there is a commander, and this is its key. */
+  public boolean isHeldBy(CommandKey key) {
+    @Nullable Commander now = commander;
+    return now != null && now.key().equals(key);
+  }
+
+  /** Who commands, for people; null while nobody does. */
+  @Nullable String commander() {
+    @Nullable Commander now = commander;
+    return now == null ? null : now.name();
+  }
+
+  /** No lease was granted, so there never was a commander: nothing comes to rest. */
+  private synchronized void giveUp(CommandKey key) {
+    if (isHeldBy(key)) {
+      commander = null;
+    }
+  }
+
+  private void release(CommandKey key) {
+    if (!isHeldBy(key)) {
+      return; // and never will be again
+    }
+    acting.lock();
+    try {
+      if (letGo(key)) {
+        lost.run();
+      }
+    } finally {
+      acting.unlock();
+    }
+  }
+
+  private synchronized boolean letGo(CommandKey key) {
+    boolean isHeld = isHeldBy(key);
+    if (isHeld) {
+      commander = null;
+      lease = null;
+    }
+    return isHeld;
+  }
+}

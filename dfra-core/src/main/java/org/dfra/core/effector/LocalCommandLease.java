@@ -1,0 +1,33 @@
+package org.dfra.core.effector;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.UUID;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+
+/**
+ * The lease of a commander in the effector's own virtual machine: it lasts until it is closed or
+ * revoked, or the module ends.
+ */
+record LocalCommandLease(
+    LeaseBook book, UUID id, CommandKey key, Duration duration, InstantSource clock)
+    implements CommandLease {
+
+  @Override
+  public Instant expiration() {
+    return clock.instant().plus(duration);
+  }
+
+  @Override
+  public boolean isLive() {
+    return book.holds(id);
+  }
+
+  @Override
+  public void close() {
+    boolean unused = book.cancel(id);
+  }
+}

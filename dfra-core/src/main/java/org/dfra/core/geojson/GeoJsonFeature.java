@@ -1,0 +1,71 @@
+package org.dfra.core.geojson;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.core.config.Faults;
+import org.dfra.core.config.Place;
+import org.dfra.geometry.GeoPosition;
+
+/**
+ * A feature of GeoJSON.
+ *
+ * @param place the line in which it begins
+ * @param properties what is said of it; a missing node where nothing is
+ * @param geometry its shape; a missing node where it has none
+ */
+public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry) {
+
+  /** The type of its geometry, such as Polygon; {@code none} where it has none. */
+  public String type() {
+    return geometry.path("type").asText("none");
+  }
+
+  /** The coordinates of its geometry; a missing node where it has none. */
+  public JsonNode coordinates() {
+    return geometry.path("coordinates");
+  }
+
+  /**
+   * The corners of a polygon's one ring, as they were written: where the last one repeats the
+   * first, so does it here. Heights are left out, and 0. Empty, and noted, where the polygon has
+   * holes, or a corner is no position.
+   */
+  public Optional<List<GeoPosition>> ring(Faults faults) {
+    if (coordinates().size() != 1) {
+      faults.add(
+          place,
+          "a polygon has "
+              + coordinates().size()
+              + " rings; write one, since a polygon here has no holes");
+      return Optional.empty();
+    }
+    List<GeoPosition> corners = new ArrayList<>();
+    for (JsonNode point : coordinates().path(0)) {
+      Optional<GeoPosition> corner = position(point, faults);
+      if (corner.isEmpty()) {
+        return Optional.empty();
+      }
+      corners.add(corner.get());
+    }
+    return Optional.of(corners);
+  }
+
+  /**
+   * The position of a pair of coordinates, its height left out, and 0; empty, and noted, if none.
+   */
+  public Optional<GeoPosition> position(JsonNode pair, Faults faults) {
+    JsonNode longitude = pair.path(0);
+    JsonNode latitude = pair.path(1);
+    if (!longitude.isNumber()
+        || !latitude.isNumber()
+        || !(Math.abs(longitude.asDouble()) <= 180)
+        || !(Math.abs(latitude.asDouble()) <= 90)) {
+      faults.add(
+          place, pair + " is no position; write [longitude, latitude] in degrees, longitude first");
+      return Optional.empty();
+    }
+    return Optional.of(new GeoPosition(latitude.asDouble(), longitude.asDouble(), 0));
+  }
+}

@@ -1,0 +1,7 @@
+/**
+ * What the host gives to those who start programs on it: ports that stay free until they are taken.
+ */
+@NullMarked
+package org.dfra.core.host;
+
+import org.jspecify.annotations.NullMarked;

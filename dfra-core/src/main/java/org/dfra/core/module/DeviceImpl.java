@@ -1,0 +1,128 @@
+package org.dfra.core.module;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.flow.Device;
+import org.dfra.geometry.Transform;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.Precondition;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.PoseAttributes;
+
+/**
+ * Base of every driver of hardware, by way of {@link SensorImpl} or {@link
+ * org.dfra.core.effector.EffectorImpl}. It can be examined, has its place in a chain, and is
+ * mounted somewhere, by its parameters, all of which can be set while it runs:
+ *
+ * <ul>
+ *   <li>{@code mount_frame}: the frame it stands in; default {@code robot/base_link}
+ *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: offset in that frame, metres, −100 to
+ *       100; default 0
+ *   <li>{@code mount_roll}, {@code mount_pitch}, {@code mount_yaw}: turn, radians, −2π to 2π, as
+ *       {@link Transform#of}; default 0
+ * </ul>
+ */
+public abstract class DeviceImpl extends ChainableImpl implements Device {
+
+  private final List<String> takes;
+  private final Mount mount;
+  private final Examinations examinations;
+  private final List<Precondition> preconditions;
+
+  /**
+   * See {@link ModuleImpl#ModuleImpl}.
+   *
+   * @param takes the types it takes in, by the simple names of their classes
+   * @param puts the types of its readings, by the simple names of their classes
+   * @param preconditions what its environment must be like
+   */
+  protected DeviceImpl(
+      ModuleContext context,
+      String description,
+      String author,
+      String version,
+      List<String> takes,
+      List<String> puts,
+      List<Precondition> preconditions) {
+    super(context, description, author, version, puts);
+    this.takes = List.copyOf(takes);
+    this.mount = new Mount(context.robot(), context.parameters(), declared());
+    this.examinations = new Examinations(context.path(), context.clock(), context.scheduler(), log);
+    this.preconditions = List.copyOf(preconditions);
+  }
+
+  @Override
+  protected final List<String> declaredInputTypes() {
+    return takes;
+  }
+
+  /** Where tests and recovery methods are declared. */
+  protected final Examinations examinations() {
+    return examinations;
+  }
+
+  /**
+   * What it says of itself besides its chain and its mount; asked several times a second, so it
+   * answers from memory.
+   */
+  protected abstract List<? extends Attributes> traits();
+
+  /** What every device of its sort says of itself, besides {@link #traits}; as those. */
+  protected List<? extends Attributes> traitsOfItsSort() {
+    return List.of();
+  }
+
+  /** {@inheritDoc} Its mount, what its sort says, and its {@link #traits}. */
+  @Override
+  protected final List<Attributes> furtherAttributes() {
+    List<Attributes> all = new ArrayList<>();
+    Transform at = mount.transform();
+    all.add(
+        new PoseAttributes(
+            frame(), parentFrame(), at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()));
+    all.addAll(traitsOfItsSort());
+    all.addAll(traits());
+    return all;
+  }
+
+  @Override
+  public final String frame() {
+    return path();
+  }
+
+  @Override
+  public final String parentFrame() {
+    return mount.frame();
+  }
+
+  /** {@inheritDoc} This is its mount; a device whose frame moves in it says so. */
+  @Override
+  public Transform localTransform() {
+    return mount.transform();
+  }
+
+  @Override
+  public final List<Precondition> preconditions() {
+    return preconditions;
+  }
+
+  @Override
+  public final List<String> tests() {
+    return examinations.tests();
+  }
+
+  @Override
+  public final Diagnosis test(String name) {
+    return examinations.runTest(name);
+  }
+
+  @Override
+  public final List<String> recoveries() {
+    return examinations.recoveries();
+  }
+
+  @Override
+  public final Diagnosis recover(String name) {
+    return examinations.runRecovery(name);
+  }
+}

@@ -1,0 +1,201 @@
+package org.dfra.core.module;
+
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.core.event.EventHub;
+import org.dfra.core.history.HistoryBook;
+import org.dfra.event.ModuleEvent;
+import org.dfra.module.Incident;
+import org.dfra.module.Readiness;
+import org.dfra.time.Scheduler;
+import org.slf4j.Logger;
+
+/**
+ * Where one module stands among the states of {@link Readiness}, whose arrows are drawn there.
+ * Every step wakes who waits for it, is published, and enters the history where the module stops to
+ * serve or serves again. All that happens under one lock, so everybody sees the steps in the same
+ * order.
+ *
+ * <p>It begins once and ends once; after its end it moves no more.
+ */
+final class Lifecycle {
+
+  private final String module;
+  private final Logger log;
+  private final EventHub events;
+  private final HistoryBook history;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition readinessChanged;
+  private Readiness readiness = Readiness.CREATED; // guarded by lock
+  private boolean started; // guarded by lock
+  private boolean closed; // guarded by lock
+  private boolean lapsed; // guarded by lock: it served once, and has not come back since
+  private int clients; // guarded by lock
+
+  /**
+   * @param module the module's path, {@code robot/name}
+   * @param log the module's
+   * @param scheduler by its time is waited
+   */
+  Lifecycle(String module, Logger log, EventHub events, HistoryBook history, Scheduler scheduler) {
+    this.module = module;
+    this.log = log;
+    this.events = events;
+    this.history = history;
+    this.readinessChanged = scheduler.newCondition(lock);
+  }
+
+  /** Whether it had not begun or ended before; it is {@link Readiness#INITIALIZING} then. */
+  boolean begin() {
+    lock.lock();
+    try {
+      if (started || closed) {
+        return false;
+      }
+      started = true;
+      history.begin();
+      become(Readiness.INITIALIZING);
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether it ever began. */
+  boolean wasStarted() {
+    lock.lock();
+    try {
+      return started;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether it had not ended before; it is {@link Readiness#STOPPED} then. */
+  boolean end() {
+    lock.lock();
+    try {
+      if (closed) {
+        return false;
+      }
+      become(Readiness.STOPPED);
+      closed = true;
+      if (started) {
+        note(Incident.Kind.DEACTIVATION, "it was closed");
+      }
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** {@link Readiness#FAILED}, where an arrow leads there. */
+  void failIfAlive(String why) {
+    lock.lock();
+    try {
+      if (readiness.mayBecome(Readiness.FAILED)) {
+        become(Readiness.FAILED, why);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Where it stands now. */
+  Readiness readiness() {
+    lock.lock();
+    try {
+      return readiness;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Waits until it serves or never will; where it stands then, or when patience or the thread was
+   * at its end.
+   */
+  Readiness await(Duration patience) {
+    lock.lock();
+    try {
+      long nanos = TimeUnit.NANOSECONDS.convert(patience); // the longest there is, if too long
+      while (!readiness.serves() && !readiness.isHopeless() && nanos > 0) {
+        nanos = readinessChanged.awaitNanos(nanos);
+      }
+      return readiness;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return readiness;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** As {@link ModuleImpl#become(Readiness)}. */
+  void become(Readiness next) {
+    become(next, "it went from serving to " + next);
+  }
+
+  /** As {@link ModuleImpl#become(Readiness, String)}. */
+  void become(Readiness next, String why) {
+    lock.lock();
+    try {
+      if (readiness == next || closed) {
+        return;
+      }
+      if (!readiness.mayBecome(next)) {
+        throw new IllegalStateException(module + " cannot go from " + readiness + " to " + next);
+      }
+      Readiness last = readiness;
+      log.info("{}: {} -> {}", module, last, next);
+      readiness = next;
+      readinessChanged.signalAll();
+      history.serving(next.serves());
+      events.publish(new ModuleEvent.ReadinessChanged(last, next));
+      remember(last, next, why);
+      if (next == Readiness.READY && clients > 0) {
+        become(Readiness.ACTIVE);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void remember(Readiness last, Readiness next, String why) {
+    if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
+      lapsed = true;
+      note(Incident.Kind.FAILURE, why);
+    } else if (lapsed && next.serves()) {
+      lapsed = false;
+      note(Incident.Kind.RECOVERY, "it serves again");
+    }
+  }
+
+  /** Writes an incident into the history, and tells the listeners. */
+  void note(Incident.Kind kind, String what) {
+    events.publish(new ModuleEvent.IncidentNoted(history.note(kind, what)));
+  }
+
+  /**
+   * So many clients there are now: with any it is active while it is ready, with none it is not.
+   */
+  void clients(int number) {
+    lock.lock();
+    try {
+      clients = number;
+      if (closed) {
+        return;
+      }
+      if (number > 0 && readiness == Readiness.READY) {
+        become(Readiness.ACTIVE);
+      } else if (number == 0 && readiness == Readiness.ACTIVE) {
+        become(Readiness.READY);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+}

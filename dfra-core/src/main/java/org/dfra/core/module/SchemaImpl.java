@@ -1,0 +1,112 @@
+package org.dfra.core.module;
+
+import java.util.List;
+import java.util.Optional;
+import org.dfra.core.chain.ChainInputs;
+import org.dfra.core.chain.ChainInputs.CountingTaker;
+import org.dfra.core.chain.ChainInputs.Taker;
+import org.dfra.core.chain.Errands;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.event.Reading;
+import org.dfra.flow.Schema;
+import org.dfra.module.Module;
+
+/**
+ * Base of every schema: software between sensors and effectors. It declares in its constructor what
+ * it {@link #takes}; from its start on it is given what the modules of its robot tell that are of
+ * that kind, or those that it is wired to.
+ */
+public abstract class SchemaImpl extends ChainableImpl implements Schema {
+
+  private final ModuleContext context;
+  private final ChainInputs inputs;
+
+  /**
+   * See {@link ModuleImpl#ModuleImpl}.
+   *
+   * @param puts the types it puts out, by the simple names of their classes
+   */
+  protected SchemaImpl(
+      ModuleContext context, String description, String author, String version, List<String> puts) {
+    super(context, description, author, version, puts);
+    this.context = context;
+    this.inputs =
+        new ChainInputs(
+            context.path(),
+            context::directory,
+            new Errands("dfra-inputs " + context.path(), context.scheduler()),
+            log);
+  }
+
+  /** What it was made with. */
+  protected final ModuleContext context() {
+    return context;
+  }
+
+  /**
+   * Declares the next input, in the constructor only: one module of its own robot.
+   *
+   * @param kind of which kind; which one, a parameter of the schema may say
+   * @param parameter that names the module; where it is not set, the first of the kind is taken
+   * @param type which of its readings it takes
+   * @param taker is given each
+   */
+  protected final <M extends Module, R extends Reading> void takes(
+      Class<M> kind, String parameter, Class<R> type, Taker<? super R> taker) {
+    ModuleQuery<M> any = ModuleQuery.of(kind).robot(context.robot());
+    inputs.declare(
+        context.parameters().module(parameter, kind).map(any::name).orElse(any),
+        false,
+        context
+            .parameters()
+            .place(parameter)
+            .map(place -> ", which " + place + " names")
+            .orElse(""),
+        type,
+        (source, sequence, reading) -> taker.take(source, reading));
+  }
+
+  /** The same with all modules of that kind on its own robot. */
+  protected final <M extends Module, R extends Reading> void takesAll(
+      Class<M> kind, Class<R> type, Taker<? super R> taker) {
+    inputs.declare(
+        ModuleQuery.of(kind).robot(context.robot()),
+        true,
+        "",
+        type,
+        (source, sequence, reading) -> taker.take(source, reading));
+  }
+
+  /** The same with all modules that match, whichever robot they are on. */
+  protected final <M extends Module, R extends Reading> void takesAllOfTeam(
+      ModuleQuery<M> which, Class<R> type, CountingTaker<? super R> taker) {
+    inputs.declare(which, true, "", type, taker);
+  }
+
+  /** Which module that it is to listen to is not there, as a clause; nothing where all are. */
+  protected final Optional<String> missingInput() {
+    return inputs.missing();
+  }
+
+  @Override
+  protected final List<String> declaredInputTypes() {
+    return inputs.types();
+  }
+
+  @Override
+  protected final void onWired(List<String> modules) {
+    inputs.wire(modules);
+  }
+
+  /** {@inheritDoc} A schema that overrides it calls it. */
+  @Override
+  protected void onStart() {
+    inputs.wire(inputs());
+  }
+
+  /** {@inheritDoc} A schema that overrides it calls it. */
+  @Override
+  protected void onClose() {
+    inputs.close();
+  }
+}

@@ -1,0 +1,132 @@
+package org.dfra.core.robot;
+
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.module.NamedClasses;
+import org.dfra.core.state.StateStore;
+import org.dfra.directory.Watch;
+import org.dfra.module.Module;
+import org.dfra.time.Scheduler;
+
+/**
+ * A robot whose modules all live in this virtual machine and find each other in its memory: no
+ * lookup service, no activation, no proxies. It is made of the same XML as one on the network, of
+ * which only the drivers count. Several robots with one directory are a team.
+ *
+ * <p>{@link #start} starts the modules in the order written; {@link #close} ends them, the last
+ * first.
+ */
+public final class LocalRobot implements AutoCloseable {
+
+  private final String name;
+  private final InMemoryModuleDirectory directory;
+  private final List<ModuleImpl> modules = new ArrayList<>();
+  private final List<Watch> listed = new ArrayList<>(); // guarded by this
+  private boolean started; // guarded by this
+
+  /**
+   * Makes its modules.
+   *
+   * @param directory of the team
+   * @param clock the time; simulated time where the robot is simulated
+   * @param states what outlives a module, by its path
+   * @throws org.dfra.core.config.ConfigurationException if a module cannot be made; those before it
+   *     are closed
+   */
+  public LocalRobot(
+      RobotDescription description,
+      InMemoryModuleDirectory directory,
+      InstantSource clock,
+      Function<String, StateStore> states) {
+    this.name = description.name();
+    this.directory = directory;
+    Scheduler scheduler =
+        clock instanceof Scheduler own && own.isLockStep() ? own : Scheduler.system();
+    try {
+      for (ModuleDescription each : description.modules()) {
+        ModuleContext context =
+            new ModuleContext(
+                each.robot(),
+                each.name(),
+                each.parameters(),
+                clock,
+                states.apply(each.path()),
+                LeaseTerms.USUAL,
+                scheduler,
+                () -> directory);
+        modules.add(new NamedClasses(each).driver(context, Module.class, ModuleImpl.class));
+      }
+    } catch (RuntimeException e) {
+      endAll().addTo(e);
+      throw e;
+    }
+  }
+
+  /**
+   * Starts the modules and lists them. Does nothing the second time.
+   *
+   * @throws RuntimeException if one cannot be started; those before it are running
+   */
+  public synchronized void start() {
+    if (started) {
+      return;
+    }
+    started = true;
+    for (ModuleImpl module : modules) {
+      module.start();
+      listed.add(directory.add(module));
+    }
+  }
+
+  /** Name of the robot. */
+  public String name() {
+    return name;
+  }
+
+  /** Its modules, in the order written. */
+  public List<ModuleImpl> modules() {
+    return List.copyOf(modules);
+  }
+
+  /**
+   * One of its modules.
+   *
+   * @return nothing where there is none of that name and kind
+   */
+  public <M> Optional<M> module(String module, Class<M> kind) {
+    return modules.stream()
+        .filter(each -> each.identification().name().equals(module))
+        .filter(kind::isInstance)
+        .map(kind::cast)
+        .findFirst();
+  }
+
+  /**
+   * Ends the modules, the last first.
+   *
+   * @throws IllegalStateException if one could not be ended; the others were
+   */
+  @Override
+  public synchronized void close() {
+    listed.forEach(Watch::close);
+    listed.clear();
+    endAll().orThrow(IllegalStateException::new);
+  }
+
+  private Ending endAll() {
+    Ending ending = new Ending("robot " + name);
+    for (int i = modules.size() - 1; i >= 0; i--) {
+      ending.end(modules.get(i));
+    }
+    return ending;
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * What time it is on a robot: {@link org.dfra.core.time.RobotTime} is real, or that of a simulation
+ * that runs faster or slower.
+ */
+@NullMarked
+package org.dfra.core.time;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,195 @@
+package org.dfra.core.behavior;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import org.dfra.behavior.Behavior;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.Goal;
+import org.dfra.core.chain.Errands;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
+import org.dfra.directory.Locality;
+import org.dfra.module.Readiness;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.slf4j.LoggerFactory;
+
+/** One behaviour has another work for it, over a network that loses answers. */
+@Timeout(60)
+class DelegationTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+
+  private record Wish() implements Goal {}
+
+  private interface Worker extends Behavior<Wish> {}
+
+  private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory();
+  private final Errands errands = new Errands("test-errands", Scheduler.system());
+  private final Worker worker =
+      (Worker)
+          Proxy.newProxyInstance(
+              Worker.class.getClassLoader(),
+              new Class<?>[] {Worker.class},
+              (proxy, method, args) -> call(method.getName()));
+  private Delegation<Wish, Worker> delegation;
+
+  private volatile @Nullable UUID goal;
+  private volatile Phase phase = Phase.IDLE;
+  private volatile boolean losesAnswers;
+  private volatile boolean isCutOff;
+
+  private Object call(String method) throws RemoteException {
+    if (method.equals("toString")) {
+      return "the worker";
+    } else if (method.equals("hashCode")) {
+      return 1;
+    }
+    if (isCutOff) {
+      throw new RemoteException("it is out of reach");
+    }
+    Object answer =
+        switch (method) {
+          case "pursue" -> {
+            phase = Phase.RUNNING;
+            goal = UUID.randomUUID();
+            yield goal;
+          }
+          case "cancel" -> {
+            phase = Phase.CANCELLED;
+            yield null;
+          }
+          case "status" -> new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0);
+          default -> throw new AssertionError(method);
+        };
+    if (losesAnswers && method.equals("pursue")) {
+      throw new RemoteException("its answer was lost");
+    }
+    return answer;
+  }
+
+  @BeforeEach
+  void begin() {
+    directory.put(
+        UUID.randomUUID(),
+        worker,
+        List.of(
+            new ModuleAttributes(
+                "atrv1",
+                "worker",
+                "it works",
+                "localhost",
+                "DFRA",
+                "1",
+                Readiness.READY,
+                Instant.EPOCH,
+                Instant.EPOCH,
+                0)),
+        Locality.SAME_VM);
+    ModuleContext context =
+        new ModuleContext(
+                "atrv1", "master", Parameters.of("atrv1/master", Map.of()), InstantSource.system())
+            .among(directory);
+    delegation =
+        new Delegation<>(
+            "atrv1/master",
+            Needed.of(context, Worker.class, "worker"),
+            errands,
+            LoggerFactory.getLogger("test"));
+  }
+
+  @AfterEach
+  void end() {
+    errands.close();
+    directory.close();
+  }
+
+  @Test
+  void tellsHowFarTheOtherIsAndHasItGiveUp() throws Exception {
+    assertThat(delegation.status()).isEmpty();
+    delegation.begin(new Wish());
+    assertThat(delegation.status()).map(BehaviorStatus::goal).contains(goal);
+    delegation.end();
+    assertThat(phase).isEqualTo(Phase.CANCELLED);
+    assertThat(delegation.status()).isEmpty();
+  }
+
+  @Test
+  void whatAnEarlierProcessHasBegunIsTakenOver() throws Exception {
+    delegation.begin(new Wish());
+    UUID begun = delegation.goal().orElseThrow();
+    delegation.forget(); // as a process does that dies
+    assertThat(delegation.status()).isEmpty();
+    assertThat(delegation.adopt(UUID.randomUUID())).as("it is at something else").isFalse();
+    delegation.end();
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+    assertThat(delegation.adopt(begun)).isTrue();
+    assertThat(delegation.status()).map(BehaviorStatus::goal).contains(begun);
+    delegation.end();
+    assertThat(phase).isEqualTo(Phase.CANCELLED);
+    assertThat(delegation.adopt(begun)).as("it is at it no more").isFalse();
+    isCutOff = true;
+    assertThatThrownBy(() -> delegation.adopt(begun)).isInstanceOf(RemoteException.class);
+  }
+
+  @Test
+  void leavesAloneWhatSomebodyElseHasAskedForSince() throws Exception {
+    delegation.begin(new Wish());
+    goal = UUID.randomUUID();
+    assertThat(delegation.status()).isEmpty();
+    delegation.end();
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void aGoalWhoseAnswerWasLostDoesNotRunOn() {
+    losesAnswers = true;
+    assertThatThrownBy(() -> delegation.begin(new Wish())).isInstanceOf(RemoteException.class);
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+    delegation.end(); // as the behaviour does that comes to rest
+    assertThat(phase).isEqualTo(Phase.CANCELLED);
+  }
+
+  @Test
+  void aGoalThatWasRunningBeforeIsNotTakenForOneWhoseAnswerWasLost() throws Exception {
+    goal = UUID.randomUUID();
+    phase = Phase.RUNNING;
+    UUID others = goal;
+    Worker refuses = worker;
+    losesAnswers = true;
+    isCutOff = true;
+    assertThatThrownBy(() -> delegation.begin(new Wish())).isInstanceOf(RemoteException.class);
+    isCutOff = false;
+    delegation.end();
+    assertThat(refuses.status().goal()).isEqualTo(others);
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void whoCannotBeToldToStopIsToldAgainUntilItAnswers() throws Exception {
+    delegation.begin(new Wish());
+    isCutOff = true;
+    delegation.end();
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+    isCutOff = false;
+    await().atMost(PATIENCE).until(() -> phase == Phase.CANCELLED);
+  }
+}

@@ -1,0 +1,278 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.UUID;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.lease.SteppedScheduler;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Brake;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Incident;
+import org.dfra.module.NotReadyException;
+import org.dfra.persona.DriveAttributes;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DriveImplTest {
+
+  private static final Duration LEASE = Duration.ofSeconds(30);
+  private static final Velocity AHEAD = new Velocity(0.5, 0);
+
+  private final SteppedScheduler time = new SteppedScheduler();
+  private final ScriptedWheels wheels = started(Map.of());
+
+  private ScriptedWheels started(Map<String, String> parameters) {
+    ScriptedWheels made = new ScriptedWheels(time, parameters);
+    made.start();
+    return made;
+  }
+
+  @AfterEach
+  void close() {
+    wheels.close();
+  }
+
+  private CommandKey key() throws LeaseRefusedException {
+    return wheels.command(LEASE).key();
+  }
+
+  @Test
+  void haltsExactlyWhenTheSilenceIsTooLong() throws Exception {
+    wheels.obey(key(), AHEAD);
+    time.step(Duration.ofMillis(300).minusNanos(1));
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0");
+    time.step(Duration.ofNanos(1));
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.drive().silences()).isEqualTo(1);
+    time.step(Duration.ofSeconds(10));
+    assertThat(wheels.told).as("said once").hasSize(2);
+    assertThat(time.waiting()).as("only the history's own tasks").isLessThanOrEqualTo(1);
+  }
+
+  @Test
+  void everyVelocityWindsTheWatchUpAnew() throws Exception {
+    CommandKey key = key();
+    for (int i = 0; i < 50; i++) {
+      wheels.obey(key, AHEAD);
+      time.step(Duration.ofMillis(250));
+    }
+    assertThat(wheels.told).hasSize(50).doesNotContain("halt");
+    time.step(Duration.ofMillis(50).minusNanos(1));
+    assertThat(wheels.told).doesNotContain("halt");
+    time.step(Duration.ofNanos(1));
+    assertThat(wheels.told).endsWith("halt");
+  }
+
+  @Test
+  void standingWheelsAreNotWatched() throws Exception {
+    CommandKey key = key();
+    wheels.obey(key, AHEAD);
+    wheels.obey(key, Velocity.ZERO);
+    time.step(Duration.ofSeconds(1));
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "turn 0.0 0.0");
+    assertThat(wheels.drive().silences()).isZero();
+  }
+
+  @Test
+  void aShorterSilenceCountsAtOnce() throws Exception {
+    wheels.obey(key(), AHEAD);
+    time.step(Duration.ofMillis(100));
+    wheels.setParameter("longest_silence", "0.2");
+    time.step(Duration.ofMillis(100).minusNanos(1));
+    assertThat(wheels.told).doesNotContain("halt");
+    time.step(Duration.ofNanos(1));
+    assertThat(wheels.told).endsWith("halt");
+  }
+
+  @Test
+  void aSilenceThatIsOverByTheNewMeasureHaltsAtOnce() throws Exception {
+    wheels.obey(key(), AHEAD);
+    time.step(Duration.ofMillis(200));
+    wheels.setParameter("longest_silence", "0.1");
+    time.step(Duration.ZERO);
+    assertThat(wheels.told).endsWith("halt");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0.5, 1, 0.5, 1", // all as wanted
+    "2, 0, 1, 0",
+    "-2, 1, -1, 0.5", // half as fast, the same curve
+    "0.5, -4, 0.25, -2",
+    "3, 3, 1, 1",
+    "10, 40, 0.5, 2",
+    "1e-9, 0, 1e-9, 0",
+  })
+  void limitsKeepTheCurve(double speed, double turnRate, double most, double mostTurn)
+      throws Exception {
+    wheels.obey(key(), new Velocity(speed, turnRate));
+    Velocity got = wheels.drive().velocity();
+    assertThat(got.speed()).isCloseTo(most, within(1e-12));
+    assertThat(got.turnRate()).isCloseTo(mostTurn, within(1e-12));
+    assertThat(got.turnRate() * speed).as("radius").isCloseTo(got.speed() * turnRate, within(1e-9));
+    assertThat(wheels.told).containsExactly("turn " + got.speed() + " " + got.turnRate());
+  }
+
+  @Test
+  void limitsCanBeSetWhileItRunsButNotAboveWhatItCan() throws Exception {
+    CommandKey key = key();
+    wheels.setParameter("max_speed", "0.2");
+    wheels.obey(key, new Velocity(1, 1));
+    assertThat(wheels.drive().velocity()).isEqualTo(new Velocity(0.2, 0.2));
+    assertThat(wheels.attributes()).contains(new DriveAttributes(0.2, 2, 0.78, 0.64));
+    assertThatThrownBy(() -> wheels.setParameter("max_speed", "1.5"))
+        .hasMessageContaining("which is not a number from 0.01 to 1 m/s");
+    assertThatThrownBy(() -> wheels.setParameter("longest_silence", "0.4"))
+        .hasMessageContaining("which is not a number from 0.05 to 0.35 s");
+  }
+
+  @Test
+  void whatItNeedsForBrakingLimitsTheSilence() {
+    assertThatThrownBy(() -> new ScriptedWheels(time, Map.of("longest_silence", "0.36")))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("longest_silence is \"0.36\", which is not a number from 0.05 to");
+    assertThatThrownBy(() -> new ScriptedWheels(time, Map.of(), 0.46))
+        .hasMessage(
+            "atrv1/wheels needs 0.46 s to stand, more than 0.45 s; brake harder or drive"
+                + " slower");
+    try (ScriptedWheels heavy = new ScriptedWheels(time, Map.of(), 0.4)) {
+      assertThat(heavy.parameters())
+          .anyMatch(each -> each.name().equals("longest_silence") && each.text().equals("0.1"));
+    }
+  }
+
+  @Test
+  void refusesToMoveWithItsBrakeSet() throws Exception {
+    CommandKey key = key();
+    wheels.obey(key, AHEAD);
+    wheels.obey(key, new Brake(true));
+    assertThat(wheels.drive().brake()).isTrue();
+    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("atrv1/wheels has its brake set; release it before it is told to move");
+    wheels.obey(key, Velocity.ZERO);
+    wheels.obey(key, new Brake(false));
+    wheels.obey(key, AHEAD);
+    assertThat(wheels.told)
+        .containsExactly(
+            "turn 0.5 0.0", "halt", "brake true", "turn 0.0 0.0", "brake false", "turn 0.5 0.0");
+  }
+
+  @Test
+  void aBrakeThatSomebodySetHaltsItAndOneThatIsReleasedDoesNotDriveIt() throws Exception {
+    CommandKey key = key();
+    wheels.obey(key, AHEAD);
+    wheels.switched(true);
+    assertThat(wheels.told).endsWith("halt");
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessageContaining("brake set");
+    wheels.switched(false);
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    time.step(Duration.ofSeconds(1));
+    assertThat(wheels.drive().silences()).isZero();
+  }
+
+  @Test
+  void restsWhenItsCommanderLetsGo() throws Exception {
+    try (CommandLease lease = wheels.command(LEASE)) {
+      wheels.obey(lease.key(), AHEAD);
+      assertThat(wheels.drive().commander()).isEqualTo("a module in its own virtual machine");
+      lease.close();
+      lease.close();
+      assertThat(lease.isLive()).isFalse();
+      assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+      assertThat(wheels.drive().commander()).isNull();
+      assertThatThrownBy(() -> wheels.obey(lease.key(), AHEAD))
+          .isInstanceOf(CommandRefusedException.class);
+    }
+  }
+
+  @Test
+  void restsWhenItsCommanderIsRevoked() throws Exception {
+    CommandLease lease = wheels.command(LEASE);
+    wheels.obey(lease.key(), AHEAD);
+    assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).id())).isTrue();
+    assertThat(wheels.told).endsWith("halt");
+    assertThat(lease.isLive()).isFalse();
+    try (CommandLease next = wheels.command(LEASE)) {
+      lease.close();
+      assertThat(next.isLive()).as("the old one's close does not concern it").isTrue();
+      wheels.obey(next.key(), AHEAD);
+    }
+  }
+
+  @Test
+  void restsBeforeItsDeviceIsClosed() throws Exception {
+    wheels.obey(key(), AHEAD);
+    wheels.close();
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
+  }
+
+  @Test
+  void aDriverThatCannotHaltIsClosedAllTheSameAndItIsRemembered() throws Exception {
+    wheels.obey(key(), AHEAD);
+    wheels.haltFails = new IllegalStateException("no such wire");
+    wheels.close();
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
+    assertThat(wheels.history().recent())
+        .anyMatch(
+            each -> each.kind() == Incident.Kind.EXCEPTION && each.what().contains("no such wire"));
+  }
+
+  @Test
+  void aVelocityThatFailsHalfwayHaltsTheWheels() throws Exception {
+    CommandKey key = key();
+    wheels.turnFails = new IllegalStateException("the line is full");
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessage("the line is full");
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+  }
+
+  @Test
+  void doesNotObeyWhileItDoesNotServe() throws Exception {
+    CommandKey key = key();
+    wheels.obey(key, AHEAD);
+    wheels.restart(true);
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD))
+        .isInstanceOf(NotReadyException.class)
+        .hasMessageStartingWith("atrv1/wheels is INITIALIZING: it cannot obey Velocity[");
+    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    time.step(Duration.ofSeconds(1));
+    assertThat(wheels.told).as("there is nobody to tell").containsExactly("turn 0.5 0.0");
+    wheels.serveAgain();
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessageContaining("brake set");
+    wheels.obey(key, new Brake(false));
+    wheels.obey(key, AHEAD);
+    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "brake false", "turn 0.5 0.0");
+  }
+
+  @Test
+  void aKeyFromBeforeItsEndIsWorthNothing() throws Exception {
+    CommandKey key = key();
+    wheels.close();
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).isInstanceOf(CommandRefusedException.class);
+    assertThatThrownBy(() -> wheels.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+    assertThat(wheels.told).containsExactly("halt", "closed");
+  }
+
+  @Test
+  void grantsNoLongerLeaseThanItsModule() {
+    assertThatThrownBy(() -> wheels.command(Duration.ofMinutes(5)))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessage("atrv1/wheels: lease 300 s > longest allowed 30 s; ask for 30 s or less");
+    assertThatThrownBy(() -> wheels.obey(new CommandKey(UUID.randomUUID()), Velocity.ZERO))
+        .as("not even to stand")
+        .isInstanceOf(CommandRefusedException.class);
+  }
+}

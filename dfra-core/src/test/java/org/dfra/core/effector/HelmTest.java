@@ -1,0 +1,202 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.core.state.StateStore;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.lease.LeaseRefusedException;
+import org.junit.jupiter.api.Test;
+import org.slf4j.LoggerFactory;
+
+class HelmTest {
+
+  private static final UUID LEASE = new UUID(1, 2);
+
+  private final List<String> told = new ArrayList<>();
+  private final List<UUID> revoked = new ArrayList<>();
+  private final InstantSource clock = InstantSource.fixed(Instant.EPOCH);
+  private final StopLatch stop =
+      new StopLatch(
+          "atrv1/wheels",
+          StateStore.inMemory(),
+          clock,
+          LoggerFactory.getLogger("dfra.atrv1.wheels"));
+  private final Helm helm =
+      new Helm("atrv1/wheels", clock, () -> told.add("lost"), stop, revoked::add);
+  private Runnable over = () -> {};
+
+  private CommandKey take(String name) throws LeaseRefusedException {
+    return helm.take(
+        name,
+        whenOver -> {
+          over = whenOver;
+          return LEASE;
+        });
+  }
+
+  @Test
+  void obeysItsCommanderAndNobodyElse() throws Exception {
+    CommandKey stranger = new CommandKey(UUID.randomUUID());
+    assertThatThrownBy(() -> helm.obey(stranger, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels has no commander, and this key counts no longer; ask it for a command"
+                + " lease");
+    CommandKey key = take("a client at 192.0.2.7");
+    assertThat(helm.isHeldBy(key)).isTrue();
+    assertThat(helm.commander()).isEqualTo("a client at 192.0.2.7");
+    helm.obey(key, () -> told.add("done"));
+    helm.obey(new CommandKey(key.secret()), () -> told.add("by a copy of the key"));
+    assertThatThrownBy(() -> helm.obey(stranger, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; this"
+                + " key is not, or no longer, its commander's");
+    assertThat(told).containsExactly("done", "by a copy of the key");
+  }
+
+  @Test
+  void refusesASecondCommanderAndNamesTheFirstAndItsLease() throws Exception {
+    CommandKey first = take("a client at 192.0.2.7");
+    assertThatThrownBy(() -> take("another"))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; wait"
+                + " until it lets go, or have its lease "
+                + LEASE
+                + " revoked");
+    assertThat(helm.isHeldBy(first)).isTrue();
+  }
+
+  @Test
+  void anEndedLeaseIsToldOnceAndDoesNotEndTheNext() throws Exception {
+    CommandKey first = take("the first");
+    Runnable firstOver = over;
+    firstOver.run();
+    firstOver.run();
+    assertThat(told).containsExactly("lost");
+    CommandKey second = take("the second");
+    firstOver.run();
+    assertThat(helm.isHeldBy(second)).as("a late end of the first").isTrue();
+    assertThatThrownBy(() -> helm.obey(first, () -> told.add("done")))
+        .hasMessageContaining("is commanded by the second");
+    assertThat(told).containsExactly("lost");
+  }
+
+  @Test
+  void aLeaseThatIsNotGrantedLeavesTheHelmFreeAndNothingComesToRest() throws Exception {
+    assertThatThrownBy(
+            () ->
+                helm.take(
+                    "too greedy",
+                    whenOver -> {
+                      throw new LeaseRefusedException("too long");
+                    }))
+        .hasMessage("too long");
+    assertThatThrownBy(
+            () ->
+                helm.take(
+                    "unlucky",
+                    whenOver -> {
+                      throw new OutOfMemoryError("a scripted one");
+                    }))
+        .isInstanceOf(OutOfMemoryError.class);
+    assertThat(helm.commander()).isNull();
+    assertThat(told).isEmpty();
+    assertThat(helm.isHeldBy(take("the next"))).isTrue();
+  }
+
+  @Test
+  void aLeaseThatIsOverBeforeItIsHandedOutComesWithAKeyThatDoesNotCount() throws Exception {
+    CommandKey key =
+        helm.take(
+            "short-lived",
+            whenOver -> {
+              whenOver.run();
+              return LEASE;
+            });
+    assertThat(told).containsExactly("lost");
+    assertThat(helm.isHeldBy(key)).isFalse();
+    assertThatThrownBy(() -> helm.obey(key, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class);
+    CommandKey next = take("the next");
+    assertThatThrownBy(() -> take("another"))
+        .as("no trace of the first lease")
+        .hasMessageContaining("by the next")
+        .hasMessageContaining(LEASE.toString());
+    assertThat(helm.isHeldBy(next)).isTrue();
+  }
+
+  @Test
+  void aCommandThatFailsLeavesTheCommander() throws Exception {
+    CommandKey key = take("a client");
+    assertThatThrownBy(
+            () ->
+                helm.obey(
+                    key,
+                    () -> {
+                      throw new IllegalArgumentException("cannot fly");
+                    }))
+        .hasMessage("cannot fly");
+    assertThat(helm.isHeldBy(key)).isTrue();
+  }
+
+  @Test
+  void tellsNobodyTheSecret() throws Exception {
+    CommandKey key = take("a client");
+    assertThat(key.toString()).doesNotContain(key.secret().toString());
+    assertThatThrownBy(() -> take("another")).hasMessageNotContaining(key.secret().toString());
+  }
+
+  private static final String REFUSAL =
+      "atrv1/wheels is stopped for an emergency since 1970-01-01T00:00:00Z, by ops, and obeys"
+          + " nobody; when it is safe, release it: ./dfra stop --release atrv1";
+
+  @Test
+  void obeysNobodyWhileItIsStopped() throws Exception {
+    CommandKey key = take("a client");
+    assertThat(stop.engage("ops")).isTrue();
+    assertThatThrownBy(() -> helm.obey(key, () -> told.add("done")))
+        .isInstanceOf(StoppedCommandException.class)
+        .hasMessage(REFUSAL);
+    assertThat(helm.depose()).isEqualTo(LEASE);
+    assertThat(helm.commander()).isNull();
+    assertThatThrownBy(() -> take("another"))
+        .isInstanceOf(StoppedLeaseException.class)
+        .hasMessage(REFUSAL);
+    assertThat(stop.release("ops")).isTrue();
+    assertThatThrownBy(() -> helm.obey(key, () -> told.add("done")))
+        .as("an old key does not come back")
+        .hasMessageContaining("was stopped for an emergency while this key commanded it");
+    CommandKey next = take("the next");
+    over.run();
+    assertThat(told).as("of the next one's end only").containsExactly("lost");
+    assertThat(helm.isHeldBy(next)).isFalse();
+  }
+
+  @Test
+  void whoIsDeposedWhileItsLeaseIsGrantedHasNoneAfterwards() {
+    assertThatThrownBy(
+            () ->
+                helm.take(
+                    "unlucky",
+                    whenOver -> {
+                      stop.engage("ops");
+                      assertThat(helm.depose()).as("not granted yet").isNull();
+                      return LEASE;
+                    }))
+        .isInstanceOf(StoppedLeaseException.class)
+        .hasMessage(REFUSAL);
+    assertThat(revoked).containsExactly(LEASE);
+    assertThat(helm.commander()).isNull();
+  }
+}

@@ -1,0 +1,107 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.UUID;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * Commanders come and go while all of their threads command as fast as they can. Each commands a
+ * speed of its own, so the wheels can tell whose command it was.
+ */
+@Timeout(120)
+class LostCommanderStressTest {
+
+  private static final int COMMANDERS = Boolean.getBoolean("dfra.full") ? 5000 : 300;
+  private static final int THREADS = 3;
+
+  private final ScriptedWheels wheels = new ScriptedWheels(Scheduler.system(), Map.of());
+  private final AtomicInteger refused = new AtomicInteger();
+
+  /** Whose commands the threads give now: a number that is their speed, too. */
+  private record Command(CommandKey key, double speed) {}
+
+  private volatile Command current = new Command(new CommandKey(UUID.randomUUID()), 1e-3);
+  private volatile boolean over;
+
+  @Test
+  void noCommandOfAnOldKeyIsObeyedAfterTheLeaseHasEnded() throws Exception {
+    long seed = Long.getLong("dfra.seed", new Random().nextLong());
+    Random random = new Random(seed);
+    wheels.start();
+    ExecutorService threads = Executors.newFixedThreadPool(THREADS);
+    try {
+      List<Future<?>> commanding =
+          java.util.stream.IntStream.range(0, THREADS)
+              .<Future<?>>mapToObj(i -> threads.submit(this::commandOn))
+              .toList();
+      for (int i = 1; i <= COMMANDERS; i++) {
+        command(i * 1e-4, random, "-Ddfra.seed=" + seed + ", commander " + i);
+      }
+      over = true;
+      for (Future<?> each : commanding) {
+        each.get(60, TimeUnit.SECONDS);
+      }
+      assertThat(refused.get()).as("-Ddfra.seed=%d: some came too late", seed).isPositive();
+    } finally {
+      over = true;
+      threads.shutdownNow();
+      wheels.close();
+    }
+  }
+
+  private void commandOn() {
+    while (!over) {
+      Command now = current;
+      try {
+        wheels.obey(now.key(), new Velocity(now.speed(), 0));
+      } catch (CommandRefusedException e) {
+        refused.incrementAndGet();
+      }
+    }
+  }
+
+  private void command(double speed, Random random, String which) throws Exception {
+    wheels.told.clear();
+    CommandLease lease = wheels.command(Duration.ofSeconds(30));
+    current = new Command(lease.key(), speed);
+    String mine = "turn " + speed + " 0.0";
+    long begun = System.nanoTime();
+    while (!wheels.told.contains(mine)) {
+      assertThat(System.nanoTime() - begun).as(which).isLessThan(TimeUnit.SECONDS.toNanos(20));
+      Thread.onSpinWait();
+    }
+    end(lease, random);
+    int size = wheels.told.size(); // whatever comes now would be obeyed after the end
+    assertThat(wheels.told.get(size - 1)).as(which).isEqualTo("halt");
+    assertThat(wheels.drive().velocity()).as(which).isEqualTo(Velocity.ZERO);
+    for (int i = 0; i < 50; i++) {
+      Thread.onSpinWait();
+    }
+    assertThat(wheels.told).as(which).hasSize(size);
+  }
+
+  private void end(CommandLease lease, Random random) throws LeaseRefusedException {
+    if (random.nextBoolean()) {
+      lease.close();
+    } else {
+      assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).id())).isTrue();
+    }
+  }
+}

@@ -1,0 +1,118 @@
+package org.dfra.core.effector;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.state.StateStore;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.module.Readiness;
+import org.dfra.persona.DriveAttributes;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/** Wheels that write down what they are told. */
+final class ScriptedWheels extends DriveImpl {
+
+  static final String PATH = "atrv1/wheels";
+
+  /** {@code turn 0.5 -0.1}, {@code halt}, {@code brake true}; in order. */
+  final List<String> told = new CopyOnWriteArrayList<>();
+
+  volatile @Nullable RuntimeException turnFails;
+  volatile @Nullable RuntimeException haltFails;
+
+  /** Who turns the wheels waits for it while it is not null. */
+  volatile @Nullable CountDownLatch turnHeldUp;
+
+  ScriptedWheels(Scheduler scheduler, Map<String, String> parameters) {
+    this(scheduler, parameters, 0.15);
+  }
+
+  ScriptedWheels(Scheduler scheduler, Map<String, String> parameters, double braking) {
+    this(scheduler, parameters, braking, StateStore.inMemory());
+  }
+
+  ScriptedWheels(
+      Scheduler scheduler, Map<String, String> parameters, double braking, StateStore state) {
+    super(
+        new ModuleContext(
+            "atrv1",
+            "wheels",
+            Parameters.of(PATH, parameters),
+            InstantSource.fixed(Instant.EPOCH),
+            state,
+            LeaseTerms.USUAL,
+            scheduler),
+        "scripted wheels",
+        "DFRA",
+        "1",
+        new DriveAttributes(1, 2, 0.78, 0.64),
+        braking,
+        List.of());
+  }
+
+  @Override
+  protected void onStart() {
+    become(Readiness.READY);
+  }
+
+  @Override
+  protected void onClose() {
+    told.add("closed");
+  }
+
+  @Override
+  protected void turn(Velocity wanted) {
+    told.add("turn " + wanted.speed() + " " + wanted.turnRate());
+    awaitHolder();
+    fail(turnFails);
+  }
+
+  @Override
+  protected void halt() {
+    told.add("halt");
+    fail(haltFails);
+  }
+
+  @Override
+  protected void brake(boolean set) {
+    told.add("brake " + set);
+  }
+
+  private void awaitHolder() {
+    CountDownLatch holder = turnHeldUp;
+    try {
+      if (holder != null) {
+        holder.await();
+      }
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static void fail(@Nullable RuntimeException failure) {
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  /** Its controller was switched off and on. */
+  void restart(boolean brakeSet) {
+    become(Readiness.INITIALIZING, "its controller was switched off");
+    forgotten(brakeSet);
+  }
+
+  void serveAgain() {
+    become(Readiness.READY);
+  }
+
+  void switched(boolean brakeSet) {
+    brakeFound(brakeSet);
+  }
+}
