@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dfra.core.time.RobotTime;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 
@@ -26,11 +27,12 @@ public final class JvmCommand {
     return Path.of(System.getProperty("java.home"), "bin", "java").toString();
   }
 
-  /** The options that a virtual machine of DFRA needs: boot path, class path, quick start. */
+  /** The options that a virtual machine of DFRA needs: paths, trust, time, quick start. */
   public static List<String> options() {
     List<String> options = new ArrayList<>(bootOptions());
     options.addAll(TrustedCode.options());
     options.addAll(SerialFilters.options());
+    options.addAll(RobotTime.options());
     options.add("-XX:TieredStopAtLevel=1");
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");

@@ -1,38 +1,21 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.ConnectException;
-import java.rmi.MarshalledObject;
-import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
-import java.rmi.UnmarshalException;
-import java.rmi.activation.ActivateFailedException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import net.jini.admin.JoinAdmin;
-import net.jini.core.entry.Entry;
-import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.river.entry.Entries;
-import org.dfra.river.entry.PersonaEntry;
 import org.dfra.river.loading.RobotClasses;
-import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -48,17 +31,11 @@ public final class RobotBootstrap {
 
   private static final Logger LOG = LoggerFactory.getLogger(RobotBootstrap.class);
 
-  /** How a group begins to tell that a constructor threw something. */
-  private static final Pattern THROWN =
-      Pattern.compile("[\\w.$]+: its constructor failed: [\\w.$]+(?:Exception|Error): ");
-
-  /** How a group begins to tell that there is no such class. */
-  private static final Pattern MISSING =
-      Pattern.compile("([\\w.$]+): its class is not on the group's class path: ");
-
   private final PhoenixProcess phoenix;
   private final RobotDescription robot;
   private final String host;
+  private final LookupPlaces places;
+  private final RobotRegistrar registrar;
 
   /**
    * @param phoenix the phoenix of this host
@@ -68,6 +45,9 @@ public final class RobotBootstrap {
     this.phoenix = phoenix;
     this.robot = robot;
     this.host = HostAddress.resolve(robot.host());
+    this.places =
+        LookupPlaces.of(robot, host, robot.registrar().map(RegistrarDescription::port).orElse(0));
+    this.registrar = new RobotRegistrar(robot, host, !places.groups().isEmpty(), phoenix.state());
   }
 
   /**
@@ -97,52 +77,19 @@ public final class RobotBootstrap {
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
     for (GroupDescription group : robot.groups()) {
       if (group.registrar().isPresent()) {
-        Service registrar = bringUp(loader, group, group.registrar().get());
-        showPersona(registrar);
-        services.add(registrar);
+        services.add(registrar.bringUp(loader, group, group.registrar().get()));
       }
     }
     // Steps 4 to 8: the modules. Their XML and properties were read with the robot's description.
     for (GroupDescription group : robot.groups()) {
       ActivationGroupID groupId = loader.group(group);
       for (ModuleDescription module : group.modules()) {
-        services.add(
-            activate(
-                loader.module(
-                    groupId,
-                    group.name(),
-                    module,
-                    host,
-                    locators(),
-                    multicastGroups(),
-                    state(module)),
-                module.place()));
+        Service service = register(loader, groupId, group.name(), module);
+        ServiceStart.of(service, module.place());
+        services.add(service);
       }
     }
     return services;
-  }
-
-  /**
-   * Attaches the robot's persona to its registrar, in place of an older one. The registrar keeps it
-   * in its own log, so it is there again after every restart.
-   */
-  private void showPersona(Service registrar) throws ActivationException, IOException {
-    JoinAdmin admin =
-        (JoinAdmin) registrar.id().activate(false); // reggie's remote interface is one
-    Entry[] old =
-        Arrays.stream(admin.getLookupAttributes())
-            .filter(PersonaEntry.class::isInstance)
-            .toArray(Entry[]::new);
-    Entry[] wanted = robot.persona().map(each -> Entries.of(List.of(each))).orElse(new Entry[0]);
-    if (Arrays.equals(old, wanted)) {
-      return;
-    }
-    if (old.length > 0) {
-      admin.modifyLookupAttributes(old, new Entry[old.length]); // null takes it out
-    }
-    if (wanted.length > 0) {
-      admin.addLookupAttributes(wanted);
-    }
   }
 
   /**
@@ -155,14 +102,22 @@ public final class RobotBootstrap {
     return DownloadJars.of(robot, host, phoenix.state());
   }
 
-  /** Where the module keeps what outlives its virtual machine. */
-  private Path state(ModuleDescription module) {
-    return phoenix
-        .state()
-        .toAbsolutePath()
-        .resolve("modules")
-        .resolve(robot.name())
-        .resolve(module.name());
+  private Service register(
+      BootstrapLoader loader, ActivationGroupID groupId, String group, ModuleDescription module)
+      throws ActivationException, IOException {
+    return loader.module(
+        groupId,
+        group,
+        module,
+        host,
+        places.locators(),
+        places.groups(),
+        folder(phoenix.state(), robot.name(), module.name()));
+  }
+
+  /** Where a module keeps what outlives its virtual machine. */
+  static Path folder(Path state, String robot, String module) {
+    return state.toAbsolutePath().resolve("modules").resolve(robot).resolve(module);
   }
 
   private BootstrapLoader loader() throws IOException {
@@ -205,10 +160,9 @@ public final class RobotBootstrap {
                             + group
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
-    return activate(
-        loader.module(
-            loader.group(home), group, module, host, locators(), multicastGroups(), state(module)),
-        module.place());
+    Service service = register(loader, loader.group(home), group, module);
+    ServiceStart.of(service, module.place());
+    return service;
   }
 
   /**
@@ -220,9 +174,21 @@ public final class RobotBootstrap {
    */
   public void start(String module) throws ActivationException, IOException {
     BootstrapLoader.Registered known = known(loader(), module, "start");
-    activate(
+    ServiceStart.of(
         new Service(robot.name() + "/" + module, known.group(), known.id()),
         known.activation().module().place());
+  }
+
+  /**
+   * The server of a module, for whoever cannot wait for a lookup service. It is started where it
+   * does not run.
+   *
+   * @param module name of the module
+   * @throws ConfigurationException if the robot has no module of that name
+   * @throws ActivationException if it cannot be activated
+   */
+  public RemoteModule reach(String module) throws ActivationException, IOException {
+    return (RemoteModule) known(loader(), module, "reach").id().activate(false);
   }
 
   /**
@@ -236,12 +202,11 @@ public final class RobotBootstrap {
     BootstrapLoader loader = loader();
     BootstrapLoader.Registered old = known(loader, module.name(), "replace");
     requireOwn(module);
-    Optional<ModuleAdmin> running = running(old);
-    Service service =
-        loader.module(
-            old.groupId(), old.group(), module, host, locators(), multicastGroups(), state(module));
-    end(running, ModuleAdmin::deactivate);
-    return activate(service, module.place());
+    RunningModule running = RunningModule.of(old);
+    Service service = register(loader, old.groupId(), old.group(), module);
+    running.deactivate();
+    ServiceStart.of(service, module.place());
+    return service;
   }
 
   /**
@@ -253,9 +218,9 @@ public final class RobotBootstrap {
    */
   public void remove(String module) throws ActivationException, IOException {
     BootstrapLoader.Registered old = known(loader(), module, "remove");
-    Optional<ModuleAdmin> running = running(old);
+    RunningModule running = RunningModule.of(old);
     phoenix.system().unregisterObject(old.id());
-    end(running, ModuleAdmin::destroy);
+    running.destroy();
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
   }
 
@@ -282,116 +247,5 @@ public final class RobotBootstrap {
               + modules.keySet());
     }
     return known;
-  }
-
-  /** The administration of a module that runs; nothing where it cannot be brought to run. */
-  private static Optional<ModuleAdmin> running(BootstrapLoader.Registered module)
-      throws RemoteException {
-    try {
-      return Optional.of((ModuleAdmin) ((RemoteModule) module.id().activate(false)).getAdmin());
-    } catch (ActivationException | ActivateFailedException e) {
-      LOG.info("{} did not run: {}", module.activation().module().path(), e.getMessage());
-      return Optional.empty();
-    }
-  }
-
-  private interface Ending {
-    void of(ModuleAdmin admin) throws RemoteException;
-  }
-
-  private static void end(Optional<ModuleAdmin> running, Ending ending) throws RemoteException {
-    if (running.isPresent()) {
-      try {
-        ending.of(running.get());
-      } catch (UnmarshalException | NoSuchObjectException | ConnectException e) {
-        LOG.debug("The last module of a group took its virtual machine along.", e);
-      }
-    }
-  }
-
-  private static Service activate(Service service, Place place)
-      throws ActivationException, RemoteException {
-    try {
-      service.id().activate(false);
-    } catch (ActivationException e) {
-      // Without the cause: an activation exception's message repeats its cause's.
-      String known = place + ": module " + service.name() + ": ";
-      throw new ActivationException(
-          place + ": " + service.name() + " did not start: " + reason(e).replace(known, ""));
-    }
-    LOG.info("{} is up in group {}.", service.name(), service.group());
-    return service;
-  }
-
-  private Service bringUp(
-      BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
-      throws ActivationException, IOException {
-    Service service = activate(registrar(loader, group, description), description.place());
-    try {
-      settle((DiscoveryAdmin) service.id().activate(false), description);
-      return service;
-    } catch (IOException e) {
-      throw new IOException(description.place() + ": " + service.name() + ": " + e.getMessage(), e);
-    }
-  }
-
-  /** Reggie reads its port and groups only once in its life; what changed since is told to it. */
-  private void settle(DiscoveryAdmin registrar, RegistrarDescription description)
-      throws IOException {
-    if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {
-      registrar.setUnicastPort(description.port());
-    }
-    Set<String> groups = Set.copyOf(robot.lookupGroups());
-    if (!groups.equals(Set.copyOf(Arrays.asList(registrar.getMemberGroups())))) {
-      registrar.setMemberGroups(groups.toArray(String[]::new));
-    }
-  }
-
-  /**
-   * Why something did not start, without the names of the classes in which that happened; these are
-   * in the group's log.
-   */
-  private static String reason(ActivationException failure) {
-    String message = String.valueOf(failure.getMessage());
-    Matcher missing = MISSING.matcher(message);
-    if (missing.lookingAt()) {
-      return "server class "
-          + missing.group(1)
-          + " is not on the group's class path; add its jar or mend the name";
-    }
-    Matcher thrown = THROWN.matcher(message);
-    return thrown.lookingAt() ? message.substring(thrown.end()) : message;
-  }
-
-  private Service registrar(
-      BootstrapLoader loader, GroupDescription group, RegistrarDescription registrar)
-      throws ActivationException, IOException {
-    Path folder = phoenix.state().resolve("registrars");
-    Files.createDirectories(folder);
-    String[] arguments =
-        RegistrarArguments.of(
-            host,
-            registrar.port(),
-            folder.resolve(robot.name()),
-            robot.lookupGroups(),
-            !multicastGroups().isEmpty());
-    return loader.registrar(group, registrar, new MarshalledObject<>(arguments));
-  }
-
-  /** The robot's own registrar is joined by unicast too: its modules need no multicast for it. */
-  private List<String> locators() {
-    List<String> locators = new ArrayList<>(robot.locators());
-    robot
-        .registrar()
-        .filter(registrar -> registrar.port() != 0)
-        .map(registrar -> "jini://" + host + ":" + registrar.port())
-        .filter(own -> !locators.contains(own))
-        .ifPresent(locators::add);
-    return locators;
-  }
-
-  /** None where the robot is on the loopback: nobody elsewhere could reach what was announced. */
-  private List<String> multicastGroups() {
-    return HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups();
   }
 }

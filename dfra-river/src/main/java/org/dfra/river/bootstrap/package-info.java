@@ -8,7 +8,8 @@
  *   7 MarshalledObject, registered with phoenix     8 and so on for every module
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.bootstrap.RobotBootstrap}.
+ * <p>Enter at {@link org.dfra.river.bootstrap.RobotBootstrap}; {@link
+ * org.dfra.river.bootstrap.EmbeddedRobot} does without phoenix, in one virtual machine.
  */
 @NullMarked
 package org.dfra.river.bootstrap;

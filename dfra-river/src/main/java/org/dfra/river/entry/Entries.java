@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.ServiceLoader;
 import net.jini.core.entry.Entry;
 import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
@@ -18,10 +19,14 @@ public final class Entries {
 
   private static final System.Logger LOG = System.getLogger(Entries.class.getName());
 
-  /** Every entry class that mirrors a record, a subclass before its superclass. */
+  /** Every entry class of this package that mirrors a record, a subclass before its superclass. */
   private static final List<Class<? extends Entry>> KINDS =
       List.of(
           SensorEntry.class,
+          EffectorEntry.class,
+          PerceptualSchemaEntry.class,
+          MotorSchemaEntry.class,
+          BehaviorEntry.class,
           ChainableEntry.class,
           ModuleEntry.class,
           PoseEntry.class,
@@ -30,6 +35,31 @@ public final class Entries {
           PersonaEntry.class);
 
   private Entries() {}
+
+  /** All that entries can be made of; looked for when the first is made. */
+  private static final class Known {
+
+    static final List<Class<? extends Entry>> ALL = all();
+
+    private static List<Class<? extends Entry>> all() {
+      List<Class<? extends Entry>> all = new ArrayList<>();
+      for (EntryKinds brought :
+          ServiceLoader.load(EntryKinds.class, Entries.class.getClassLoader())) {
+        for (Class<? extends Entry> kind : brought.kinds()) {
+          if (mirrored(kind) == null) {
+            throw new IllegalStateException(
+                brought.getClass().getName()
+                    + " brings "
+                    + kind.getName()
+                    + ", which mirrors no record; annotate it with @Mirrors");
+          }
+          all.add(kind);
+        }
+      }
+      all.addAll(KINDS);
+      return List.copyOf(all);
+    }
+  }
 
   /**
    * The entries that tell what the records tell. Records whose entry classes are super- and
@@ -47,7 +77,7 @@ public final class Entries {
       }
     }
     List<Entry> entries = new ArrayList<>();
-    for (Class<? extends Entry> kind : KINDS) {
+    for (Class<? extends Entry> kind : Known.ALL) {
       if (left.containsKey(mirrored(kind))) {
         entries.add(entry(kind, left));
       }

@@ -6,9 +6,13 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 import org.dfra.persona.Attributes;
 
-/** The record whose components the fields that an entry class itself declares stand for. */
+/**
+ * The record whose components the fields that an entry class itself declares stand for, by name.
+ * See {@link EntryKinds} for classes outside this package.
+ */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)
-@interface Mirrors {
+public @interface Mirrors {
+  /** The record. */
   Class<? extends Attributes> value();
 }

@@ -105,11 +105,21 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    *     not started
    */
   public Lease grant(long duration, Holder holder, Runnable whenOver) throws LeaseRefusedException {
+    return grant(duration, holder, whenOver, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param whenCancelled run once when its holder gives it back
+   */
+  public Lease grant(long duration, Holder holder, Runnable whenOver, Runnable whenCancelled)
+      throws LeaseRefusedException {
     @Nullable LeaseFactory open = factory;
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
-    Grant granted = book.grant(asked(duration), holder, clientHost(), whenOver);
+    Grant granted = book.grant(asked(duration), holder, clientHost(), whenOver, whenCancelled);
     UUID id = granted.id();
     return open.newLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
@@ -117,7 +127,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   }
 
   /** Where the call under way on this thread came from; null where its transport does not tell. */
-  private static @Nullable String clientHost() {
+  public static @Nullable String clientHost() {
     try {
       return ServerContext.getServerContextElement(ClientHost.class) instanceof ClientHost client
           ? client.getClientHost().getHostAddress()

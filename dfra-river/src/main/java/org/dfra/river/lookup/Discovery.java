@@ -168,9 +168,22 @@ public final class Discovery
       all = List.copyOf(searches);
     }
     if (groups != null) {
-      groups.discard(registrar);
+      discard(groups, registrar);
     }
     all.forEach(search -> search.discard(registrar.getServiceID()));
+  }
+
+  /** Whoever notices that a registrar is silent may be later than the end of the search. */
+  private void discard(LookupDiscovery groups, ServiceRegistrar registrar) {
+    try {
+      groups.discard(registrar);
+    } catch (IllegalStateException e) {
+      synchronized (this) {
+        if (!ended) {
+          throw e;
+        }
+      }
+    }
   }
 
   @Override

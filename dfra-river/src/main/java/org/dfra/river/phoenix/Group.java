@@ -16,8 +16,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One group as the daemon sees it: its process, and how it comes and goes. The states are drawn at
- * {@link State}.
+ * One group as the daemon sees it: who starts its process, who waits for it, and what its end leads
+ * to. What is known of that process is its {@link Incarnation}.
  *
  * <p>A start is made by the thread that needs it; others wait for its outcome. The group leaves a
  * process's states only when that process is proven dead.
@@ -34,22 +34,15 @@ final class Group {
   private final Daemon daemon;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private final CrashHistory crashes; // this and all below guarded by lock
-  private State state = State.IDLE;
-  private long incarnation;
-  private @Nullable ProcessIdentity process;
-  private @Nullable ActivationInstantiator instantiator;
-  private boolean adopted;
-  private boolean forgotten;
-  private boolean hasTurn; // holds one of the daemon's turns to start
-  private String lastFailure = "";
+  private final Supervision supervision; // this and below guarded by lock
+  private Incarnation current;
 
   Group(Daemon daemon, ActivationGroupID id, String name, long incarnation) {
     this.daemon = daemon;
     this.id = id;
     this.name = name;
-    this.incarnation = incarnation;
-    this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.clock());
+    this.current = Incarnation.past(incarnation);
+    this.supervision = new Supervision(daemon, this);
   }
 
   /** An instantiator and the incarnation it belongs to. */
@@ -68,21 +61,22 @@ final class Group {
       long awaited = -1;
       while (true) {
         daemon.requireRunning();
-        if (state == State.ACTIVE && instantiator != null) {
-          return new Maker(instantiator, incarnation);
+        @Nullable ActivationInstantiator instantiator = current.instantiator();
+        if (instantiator != null) {
+          return new Maker(instantiator, current.number());
         }
-        if (state == State.IDLE) {
-          if (awaited == incarnation) {
-            throw new ActivationException("group " + name + " " + lastFailure);
+        if (current.state() == State.IDLE) {
+          if (awaited == current.number()) {
+            throw supervision.failure();
           }
-          requireNotHeldOff();
-          awaited = incarnation + 1;
+          supervision.requireNotHeldOff();
+          awaited = current.number() + 1;
           launch();
           continue;
         }
-        if (state == State.STARTING) {
+        if (current.state() == State.STARTING) {
           // One that a former daemon started may end because that one could not tell it all.
-          awaited = adopted ? -1 : incarnation;
+          awaited = current.adopted() ? -1 : current.number();
         }
         if (nanos <= 0) {
           throw tooLong();
@@ -94,22 +88,6 @@ final class Group {
       throw new ActivationException("interrupted while group " + name + " started", e);
     } finally {
       lock.unlock();
-    }
-  }
-
-  private void requireNotHeldOff() throws ActivationException {
-    if (crashes.heldOffUntil().isPresent()) {
-      throw new ActivationException(
-          "group "
-              + name
-              + " crashed "
-              + crashes.recentCount()
-              + " times within "
-              + daemon.configuration().restartPolicy().window().toSeconds()
-              + " s and is held off until "
-              + crashes.heldOffUntil().get()
-              + "; the last time it "
-              + lastFailure);
     }
   }
 
@@ -125,29 +103,27 @@ final class Group {
 
   /** Starts a process. Gives up the lock while it waits for its turn and forks. */
   private void launch() throws ActivationException {
-    state = State.STARTING;
-    adopted = false;
-    long mine = incarnation + 1;
-    incarnation = mine;
+    current = current.next();
+    long mine = current.number();
     lock.unlock();
     try {
       daemon.launcher().launch(this, mine);
     } catch (IOException e) {
-      notLaunched("could not be started: " + e.getMessage());
+      notLaunched(mine, "could not be started: " + e.getMessage());
       throw new ActivationException(
           "group " + name + " cannot be started: " + e.getMessage() + "; mend its command", e);
     } catch (ActivationException | RuntimeException e) {
-      notLaunched("could not be started: " + e.getMessage());
+      notLaunched(mine, "could not be started: " + e.getMessage());
       throw new ActivationException("group " + name + " is not started: " + e.getMessage(), e);
     } finally {
       lock.lock();
     }
   }
 
-  private void notLaunched(String how) {
+  private void notLaunched(long number, String how) {
     lock.lock();
     try {
-      if (process == null) {
+      if (current.number() == number && current.process() == null) {
         ended(how);
       }
     } finally {
@@ -159,8 +135,7 @@ final class Group {
   void launched(ProcessIdentity started) {
     lock.lock();
     try {
-      process = started;
-      hasTurn = true;
+      current.launched(started);
     } finally {
       lock.unlock();
     }
@@ -170,11 +145,8 @@ final class Group {
   void adopt(ProcessIdentity found, @Nullable ActivationInstantiator known, boolean leaving) {
     lock.lock();
     try {
-      process = found;
-      adopted = true;
-      instantiator = known;
-      state = leaving ? State.LEAVING : known == null ? State.STARTING : State.ACTIVE;
-      LOG.info("Took back group {}: process {} is {}.", name, found.pid(), state);
+      current.adopt(found, known, leaving);
+      LOG.info("Took back group {}: process {} is {}.", name, found.pid(), current.state());
     } finally {
       lock.unlock();
     }
@@ -189,32 +161,18 @@ final class Group {
   void reported(ActivationInstantiator reporter, long itsIncarnation) throws ActivationException {
     lock.lock();
     try {
-      if (itsIncarnation != incarnation || state == State.IDLE || state == State.LEAVING) {
-        throw new ActivationException(
-            "incarnation "
-                + itsIncarnation
-                + " of group "
-                + name
-                + " is refused: the daemon knows incarnation "
-                + incarnation
-                + " as "
-                + state);
-      }
-      if (state == State.ACTIVE) {
-        if (!reporter.equals(instantiator)) {
-          throw new ActivationException("group " + name + " already has an instantiator");
-        }
+      if (current.hasReported(name, reporter, itsIncarnation)) {
         return;
       }
       daemon.journal().commit(new Change.Reported(id, new MarshalledObject<>(reporter)));
-      instantiator = reporter;
-      state = State.ACTIVE;
+      current.reported(reporter);
       endTurn();
       changed.signalAll();
+      @Nullable ProcessIdentity process = current.process();
       LOG.info(
           "Group {} is up: incarnation {}, process {}.",
           name,
-          incarnation,
+          current.number(),
           process == null ? "?" : process.pid());
     } catch (IOException e) {
       throw new ActivationException("the instantiator of group " + name + " cannot be kept", e);
@@ -231,7 +189,7 @@ final class Group {
   void leaves(long itsIncarnation) throws UnknownGroupException {
     lock.lock();
     try {
-      if (itsIncarnation != incarnation || state == State.IDLE) {
+      if (itsIncarnation != current.number() || current.state() == State.IDLE) {
         throw new UnknownGroupException(
             "incarnation " + itsIncarnation + " of group " + name + " is not the current one");
       }
@@ -246,13 +204,13 @@ final class Group {
    * process for an active one, asks it for an object, and hears the same.
    */
   private void leave() {
-    if (state == State.LEAVING) {
+    if (current.state() == State.LEAVING) {
       return;
     }
-    state = State.LEAVING;
-    instantiator = null;
+    current.leaves();
     changed.signalAll();
     LOG.info("Group {} has nothing left to do; its process ends.", name);
+    @Nullable ProcessIdentity process = current.process();
     if (process != null) {
       daemon.endLater(process);
     }
@@ -264,8 +222,7 @@ final class Group {
   }
 
   private void endTurn() {
-    if (hasTurn) {
-      hasTurn = false;
+    if (current.endsTurn()) {
       daemon.launcher().started();
     }
   }
@@ -279,11 +236,11 @@ final class Group {
     @Nullable ProcessIdentity condemned = null;
     lock.lock();
     try {
-      if (maker.incarnation() != incarnation || state != State.ACTIVE) {
+      if (!current.isActive(maker.incarnation())) {
         return;
       }
       if (unreachable) {
-        condemned = process;
+        condemned = current.process();
       } else {
         leave();
       }
@@ -304,7 +261,7 @@ final class Group {
     lock.lock();
     try {
       long nanos = NOTICE.toNanos();
-      while (nanos > 0 && dead.equals(process)) {
+      while (nanos > 0 && dead.equals(current.process())) {
         nanos = changed.awaitNanos(nanos);
       }
     } catch (InterruptedException e) {
@@ -323,7 +280,7 @@ final class Group {
   void died(ProcessIdentity who, String how) {
     lock.lock();
     try {
-      if (who.equals(process)) {
+      if (who.equals(current.process())) {
         ended(how);
       }
     } finally {
@@ -332,40 +289,18 @@ final class Group {
   }
 
   private void ended(String how) {
-    boolean crash = state != State.LEAVING && !forgotten && daemon.isRunning();
-    state = State.IDLE;
-    process = null;
-    instantiator = null;
-    adopted = false;
+    boolean announced = current.state() == State.LEAVING;
     endTurn();
-    lastFailure = how + "; see " + daemon.output(name) + " and the .vm.log beside it";
+    current.ended();
     changed.signalAll();
-    if (crash) {
-      crashes.crashed(how);
-      LOG.warn("Group {} {} ({} crashes lately).", name, how, crashes.recentCount());
-      Optional<Duration> delay = crashes.restartDelay();
-      if (delay.isPresent()) {
-        daemon.restartLater(this, delay.get());
-      } else {
-        LOG.error(
-            "Group {} crashed {} times within {} s: it is left alone until {} and then started by"
-                + " the next call. See {}.",
-            name,
-            crashes.recentCount(),
-            daemon.configuration().restartPolicy().window().toSeconds(),
-            crashes.heldOffUntil().orElseThrow(),
-            daemon.output(name));
-      }
-    } else {
-      LOG.info("Group {} {}.", name, how);
-    }
+    supervision.ended(how, announced);
   }
 
   /** Whether this incarnation is the one that works now. */
   boolean isActive(long itsIncarnation) {
     lock.lock();
     try {
-      return state == State.ACTIVE && itsIncarnation == incarnation;
+      return current.isActive(itsIncarnation);
     } finally {
       lock.unlock();
     }
@@ -375,7 +310,7 @@ final class Group {
   long incarnation() {
     lock.lock();
     try {
-      return incarnation;
+      return current.number();
     } finally {
       lock.unlock();
     }
@@ -385,7 +320,7 @@ final class Group {
   void forget() {
     lock.lock();
     try {
-      forgotten = true;
+      supervision.forget();
     } finally {
       lock.unlock();
     }
@@ -395,7 +330,7 @@ final class Group {
   Optional<ProcessIdentity> process() {
     lock.lock();
     try {
-      return Optional.ofNullable(process);
+      return Optional.ofNullable(current.process());
     } finally {
       lock.unlock();
     }
@@ -405,7 +340,7 @@ final class Group {
   void endUnlessReported(ProcessIdentity who) {
     lock.lock();
     try {
-      if (state == State.STARTING && who.equals(process)) {
+      if (current.state() == State.STARTING && who.equals(current.process())) {
         LOG.warn("Group {}: process {} never reported and is ended.", name, who.pid());
         who.destroy(true);
       }
@@ -418,18 +353,7 @@ final class Group {
   GroupStatus status(int objects) {
     lock.lock();
     try {
-      return new GroupStatus(
-          name,
-          state,
-          incarnation,
-          process == null ? -1 : process.pid(),
-          adopted,
-          objects,
-          crashes.recentCount(),
-          crashes.total(),
-          crashes.last().orElse(null),
-          crashes.heldOffUntil().orElse(null),
-          daemon.output(name).toString());
+      return supervision.status(current, objects);
     } finally {
       lock.unlock();
     }

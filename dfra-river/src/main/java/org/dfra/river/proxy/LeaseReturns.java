@@ -20,10 +20,10 @@ public final class LeaseReturns {
 
   private LeaseReturns() {}
 
-  static void run(Executor executor, Runnable giveBack) {
+  static CompletableFuture<Void> run(Executor executor, Runnable giveBack) {
     CompletableFuture<Void> call = CompletableFuture.runAsync(giveBack, executor);
     UNDER_WAY.add(call);
-    call.whenComplete((nothing, failure) -> UNDER_WAY.remove(call));
+    return call.whenComplete((nothing, failure) -> UNDER_WAY.remove(call));
   }
 
   /**

@@ -5,6 +5,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -26,14 +27,18 @@ import org.jspecify.annotations.Nullable;
  * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
  * the calls are made by threads that exist while a call is under way, so a silent server delays
  * nobody else's renewal. A tenure is kept alive by the timer; it ends when it is closed, or hears
- * that its lease was revoked.
+ * that its lease was revoked, or has lost one that does not come back.
  */
 final class Tenure implements AutoCloseable {
 
   /** Asks a server for a lease. */
   @FunctionalInterface
   interface Registration {
-    Lease register() throws RemoteException, LeaseRefusedException;
+
+    /**
+     * @throws LeaseRevokedException if it is over and not to come back
+     */
+    Lease register() throws RemoteException, LeaseRefusedException, LeaseRevokedException;
   }
 
   /** With the usual deadline of 2 s, a server that falls silent is noticed within 3 s. */
@@ -56,6 +61,7 @@ final class Tenure implements AutoCloseable {
 
   private final String what;
   private final Registration registration;
+  private final boolean comesBack;
   private final long duration;
   private final long periodNanos;
   private final Scheduler scheduler;
@@ -73,8 +79,32 @@ final class Tenure implements AutoCloseable {
    * @param lease the first lease
    */
   Tenure(String what, Registration registration, long duration, Lease lease, Scheduler scheduler) {
+    this(what, registration, true, duration, lease, scheduler);
+  }
+
+  /** Of a lease that is not asked for again once it is lost; see above. */
+  Tenure(String what, long duration, Lease lease, Scheduler scheduler) {
+    this(
+        what,
+        () -> {
+          throw new LeaseRevokedException("it was lost; who wants to go on takes it anew");
+        },
+        false,
+        duration,
+        lease,
+        scheduler);
+  }
+
+  private Tenure(
+      String what,
+      Registration registration,
+      boolean comesBack,
+      long duration,
+      Lease lease,
+      Scheduler scheduler) {
     this.what = what;
     this.registration = registration;
+    this.comesBack = comesBack;
     this.duration = duration;
     this.lease = lease;
     this.scheduler = scheduler;
@@ -117,15 +147,21 @@ final class Tenure implements AutoCloseable {
 
   /** Gives the lease back, in the background; see {@link LeaseReturns}. Idempotent. */
   @Override
-  public synchronized void close() {
-    if (!closed) {
-      closed = true;
-      if (next != null) {
-        next.cancel();
-      }
-      Lease last = lease;
-      LeaseReturns.run(CALLERS, () -> giveBack(last));
+  public void close() {
+    CompletableFuture<Void> unused = end();
+  }
+
+  /** The same, for those who want to know when it is given back, or cannot be. */
+  synchronized CompletableFuture<Void> end() {
+    if (closed) {
+      return CompletableFuture.completedFuture(null);
     }
+    closed = true;
+    if (next != null) {
+      next.cancel();
+    }
+    Lease last = lease;
+    return LeaseReturns.run(CALLERS, () -> giveBack(last));
   }
 
   private void look() {
@@ -161,14 +197,19 @@ final class Tenure implements AutoCloseable {
       return true;
     } catch (LeaseRevokedException e) {
       throw e;
-    } catch (UnknownLeaseException
-        | LeaseDeniedException
-        | java.rmi.NoSuchObjectException
-        | java.rmi.ConnectException
-        | java.rmi.ConnectIOException e) {
-      LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + e);
-      return false;
+    } catch (java.rmi.ConnectException | java.rmi.ConnectIOException e) {
+      if (!comesBack) {
+        throw e; // it may yet be renewed, and there is no other
+      }
+      return gone(e);
+    } catch (UnknownLeaseException | LeaseDeniedException | java.rmi.NoSuchObjectException e) {
+      return gone(e);
     }
+  }
+
+  private boolean gone(Exception e) {
+    LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + e);
+    return false;
   }
 
   private void replace(Lease fresh) {

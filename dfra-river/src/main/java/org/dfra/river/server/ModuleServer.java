@@ -1,33 +1,22 @@
 package org.dfra.river.server;
 
-import java.io.IOException;
-import java.lang.reflect.InvocationTargetException;
-import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.InstantSource;
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
-import java.util.UUID;
-import java.util.stream.Collectors;
 import net.jini.config.Configuration;
-import net.jini.config.ConfigurationProvider;
-import net.jini.config.EmptyConfiguration;
+import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.directory.SelfDescription;
-import org.dfra.core.lease.LeaseTerms;
-import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
-import org.dfra.core.state.StateStore;
+import org.dfra.core.robot.Ending;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -47,7 +36,6 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
-import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -64,7 +52,7 @@ public abstract class ModuleServer<M extends Module>
   /** Component of the entries that a module's Jini configuration may have. */
   static final String COMPONENT = "org.dfra.river.server";
 
-  private static final long DEADLINE_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
+  static final long DEADLINE_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
   private final String path;
   private final M module;
@@ -87,16 +75,31 @@ public abstract class ModuleServer<M extends Module>
   protected ModuleServer(
       Class<M> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
+    this(kind, ModuleImpl.class, id, data);
+  }
+
+  /**
+   * The same, for a driver that must extend more than {@link ModuleImpl}. It is refused before
+   * anybody can call it.
+   *
+   * @param base what the driver must extend
+   */
+  protected ModuleServer(
+      Class<M> kind,
+      Class<? extends ModuleImpl> base,
+      @Nullable ActivationID id,
+      MarshalledObject<ModuleActivation> data)
+      throws Exception {
     ModuleActivation activation = data.get();
-    ModuleDescription description = activation.module();
-    this.path = description.path();
+    ModuleParts parts = new ModuleParts(activation);
+    this.path = activation.module().path();
     try {
       // Step 2: the properties.
-      Configuration configuration = configuration(description);
+      Configuration configuration = parts.configuration();
 
-      // Step 3: the driver.
-      ModuleImpl driver =
-          driver(context(activation, ModuleLandlord.terms(configuration)), description, kind);
+      // Step 3: the driver, which may look for other modules.
+      undo.push(parts.neighbours());
+      ModuleImpl driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
       undo.push(driver);
       this.module = kind.cast(driver);
       driver.start();
@@ -104,7 +107,8 @@ public abstract class ModuleServer<M extends Module>
       undo.push(() -> LocalModules.leave(activation.id(), driver));
 
       // Step 4: the proxy, and before it the landlord, since clients may come at once.
-      Exporter exporter = exporter(configuration, new ServerSettings(id, activation.host()));
+      Exporter exporter =
+          ModuleParts.exporter(configuration, new ServerSettings(id, activation.host()));
       this.landlord =
           new ModuleLandlord(
               path, driver.leases(), Exporters.jeri(activation.host(), DEADLINE_MILLIS));
@@ -114,7 +118,7 @@ public abstract class ModuleServer<M extends Module>
       this.remote = exporter.export(this);
       undo.push(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
-          proxy(description, kind, (RemoteModule) remote, activation.id(), driver.identification());
+          parts.proxy(kind, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
       ModulePresence presence =
@@ -137,179 +141,24 @@ public abstract class ModuleServer<M extends Module>
         undo.push(EndOfProcess.closes(path, this::close));
       }
     } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
-      ConfigurationException fault = placed(description, e);
-      undoAll(fault);
+      ConfigurationException fault = parts.placed(e);
+      undoAll().addTo(fault);
       throw fault;
     } catch (Error e) {
-      undoAll(e);
+      undoAll().addTo(e);
       throw e;
     }
   }
 
-  private static Configuration configuration(ModuleDescription description)
-      throws net.jini.config.ConfigurationException {
-    return description.configuration() == null
-        ? EmptyConfiguration.INSTANCE
-        : ConfigurationProvider.getInstance(new String[] {description.configuration()});
-  }
-
-  private static ModuleContext context(ModuleActivation activation, LeaseTerms terms) {
-    ModuleDescription description = activation.module();
-    @Nullable String folder = activation.state();
-    return new ModuleContext(
-        description.robot(),
-        description.name(),
-        description.parameters(),
-        InstantSource.system(),
-        folder == null ? StateStore.inMemory() : StateStore.in(Path.of(folder)),
-        terms,
-        Scheduler.system());
-  }
-
-  private static ModuleImpl driver(
-      ModuleContext context, ModuleDescription description, Class<?> kind) {
-    Class<?> type = load(description, "driver", description.driverClass());
-    if (!ModuleImpl.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
-      throw fault(
-          description,
-          "driver " + type.getName() + " is no ModuleImpl that implements " + kind.getName(),
-          null);
-    }
-    return (ModuleImpl)
-        construct(description, "driver", type, new Class<?>[] {ModuleContext.class}, context);
-  }
-
-  private static ModuleProxy<?> proxy(
-      ModuleDescription description,
-      Class<?> kind,
-      RemoteModule server,
-      UUID id,
-      Identification identification) {
-    Class<?> type = load(description, "proxy", description.proxyClass());
-    if (!ModuleProxy.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
-      throw fault(
-          description,
-          "proxy " + type.getName() + " is no ModuleProxy that implements " + kind.getName(),
-          null);
-    }
-    return (ModuleProxy<?>)
-        construct(
-            description,
-            "proxy",
-            type,
-            new Class<?>[] {RemoteModule.class, UUID.class, Identification.class},
-            server,
-            id,
-            identification);
-  }
-
-  private static Class<?> load(ModuleDescription description, String what, String name) {
-    try {
-      return Class.forName(name, true, Thread.currentThread().getContextClassLoader());
-    } catch (ClassNotFoundException e) {
-      throw fault(
-          description,
-          what
-              + " class "
-              + name
-              + " is not on the group's class path; add its jar or mend the name",
-          e);
-    } catch (LinkageError e) {
-      throw fault(
-          description,
-          what + " class " + name + " cannot be loaded (" + e + "); add the jar that it needs",
-          e);
-    }
-  }
-
-  private static Object construct(
-      ModuleDescription description,
-      String what,
-      Class<?> type,
-      Class<?>[] parameters,
-      Object... arguments) {
-    try {
-      return type.getConstructor(parameters).newInstance(arguments);
-    } catch (NoSuchMethodException e) {
-      throw fault(
-          description,
-          what
-              + " "
-              + type.getName()
-              + " has no public constructor "
-              + Arrays.stream(parameters)
-                  .map(Class::getSimpleName)
-                  .collect(Collectors.joining(", ", "(", ")")),
-          e);
-    } catch (InvocationTargetException e) {
-      if (e.getCause() instanceof ConfigurationException cause) {
-        throw cause;
-      }
-      throw fault(description, what + " " + type.getName() + " cannot be made: " + e.getCause(), e);
-    } catch (ReflectiveOperationException e) {
-      throw fault(description, what + " " + type.getName() + " cannot be made: " + e, e);
-    }
-  }
-
-  private static Exporter exporter(Configuration configuration, ServerSettings settings)
-      throws net.jini.config.ConfigurationException {
-    @Nullable Exporter exporter =
-        (Exporter)
-            configuration.getEntry(
-                COMPONENT,
-                "serverExporter",
-                Exporter.class,
-                Exporters.jeri(settings, DEADLINE_MILLIS),
-                settings);
-    if (exporter == null) {
-      throw new net.jini.config.ConfigurationException(
-          COMPONENT + ".serverExporter is null; leave it out to have the usual one");
-    }
-    return exporter;
-  }
-
-  /** A failed step as a sentence that names the place where the module is described. */
-  private static ConfigurationException placed(ModuleDescription description, Exception failure) {
-    if (failure instanceof ConfigurationException known) {
-      // What is not written at all has no place of its own.
-      return String.valueOf(known.getMessage()).startsWith(description.path() + ":")
-          ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
-          : known;
-    } else if (failure instanceof net.jini.config.ConfigurationException) {
-      String message = String.valueOf(failure.getMessage());
-      String file = String.valueOf(description.configuration());
-      return fault(
-          description,
-          "its Jini configuration "
-              + (message.contains(file) ? "" : file + " ")
-              + "cannot be used: "
-              + message,
-          failure);
-    } else if (failure instanceof IOException && !(failure instanceof RemoteException)) {
-      return fault(description, String.valueOf(failure.getMessage()), failure);
-    }
-    return fault(description, "it cannot be served: " + failure, failure);
-  }
-
-  private static ConfigurationException fault(
-      ModuleDescription description, String what, @Nullable Throwable cause) {
-    String message = description.place() + ": module " + description.path() + ": " + what;
-    return cause == null
-        ? new ConfigurationException(message)
-        : new ConfigurationException(message, cause);
-  }
-
-  /** Undoes what was done, last first; adds what fails in it to {@code reason}. */
-  private void undoAll(Throwable reason) {
+  /** Undoes what was done, last first. */
+  private Ending undoAll() {
+    Ending ending = new Ending(path);
     synchronized (undo) {
       while (!undo.isEmpty()) {
-        try {
-          undo.pop().close();
-        } catch (Exception e) { // as AutoCloseable declares it; the rest must be undone
-          reason.addSuppressed(e);
-        }
+        ending.end(undo.pop());
       }
     }
+    return ending;
   }
 
   /**
@@ -320,11 +169,7 @@ public abstract class ModuleServer<M extends Module>
    */
   @Override
   public final void close() {
-    IllegalStateException failure = new IllegalStateException(path + " did not end cleanly");
-    undoAll(failure);
-    if (failure.getSuppressed().length > 0) {
-      throw failure;
-    }
+    undoAll().orThrow(IllegalStateException::new);
   }
 
   /** The module's path, {@code robot/name}. */
@@ -335,6 +180,19 @@ public abstract class ModuleServer<M extends Module>
   /** The driver, by the module's interface. */
   protected final M module() {
     return module;
+  }
+
+  /** Grants the client whose call is under way a lease; see {@link ModuleLandlord#grant}. */
+  protected final Lease grant(
+      Duration duration, Holder holder, Runnable whenOver, Runnable whenCancelled)
+      throws LeaseRefusedException {
+    return landlord.grant(duration.toMillis(), holder, whenOver, whenCancelled);
+  }
+
+  /** Where the call under way on this thread came from, for people. */
+  protected static String clientName() {
+    @Nullable String host = ModuleLandlord.clientHost();
+    return host == null ? "a client elsewhere" : "a client at " + host;
   }
 
   @Override
@@ -370,7 +228,7 @@ public abstract class ModuleServer<M extends Module>
 
   @Override
   public final ModuleLease use(Duration duration) throws LeaseRefusedException {
-    return new LeasedUse(landlord.grant(duration.toMillis(), Holder.CLIENT, () -> {}));
+    return new LeasedUse(grant(duration, Holder.CLIENT, () -> {}, () -> {}));
   }
 
   @Override

@@ -7,8 +7,8 @@
  *        5 discovery and join
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.server.ModuleServer}; {@link org.dfra.river.server.GPSServer}
- * shows how little a kind of module adds.
+ * <p>Enter at {@link org.dfra.river.server.ModuleServer}; {@link
+ * org.dfra.river.server.sensor.GPSServer} shows how little a kind of module adds.
  */
 @NullMarked
 package org.dfra.river.server;

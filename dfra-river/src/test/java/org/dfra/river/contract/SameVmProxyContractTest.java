@@ -2,9 +2,9 @@ package org.dfra.river.contract;
 
 import java.util.UUID;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.river.proxy.GPSProxy;
+import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.RemoteModule;
-import org.dfra.river.server.GPSServer;
+import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 

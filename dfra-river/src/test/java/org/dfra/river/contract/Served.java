@@ -7,10 +7,10 @@ import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
-import org.dfra.river.proxy.GPSProxy;
+import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.RemoteModule;
-import org.dfra.river.server.GPSServer;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.sensor.GPSServer;
 import org.jspecify.annotations.Nullable;
 
 /** A scripted receiver, served in this virtual machine as a group would serve it. */

@@ -2,8 +2,6 @@ package org.dfra.river.phoenix;
 
 import java.io.IOException;
 import java.io.StringReader;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -14,6 +12,7 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import net.jini.config.ConfigurationFile;
+import org.dfra.core.host.FreePorts;
 
 /**
  * Phoenix in the test's own virtual machine, on a free port, with its journal in the test's folder.
@@ -36,17 +35,11 @@ final class InVmPhoenix implements AutoCloseable {
    */
   InVmPhoenix(Path folder) throws IOException {
     this.folder = folder;
-    this.port = freePort();
+    this.port = FreePorts.next();
     Path script = folder.resolve("idle.sh");
     Files.writeString(script, "#!/bin/sh\nexec sleep 300\n");
     Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwx------"));
     this.idle = script.toString();
-  }
-
-  static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    }
   }
 
   /** Starts it with further entries of its configuration. */
@@ -75,7 +68,7 @@ final class InVmPhoenix implements AutoCloseable {
 
   /** Its next start is at another address. */
   InVmPhoenix moves() throws IOException {
-    port = freePort();
+    port = FreePorts.next();
     return this;
   }
 

@@ -4,6 +4,8 @@ import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -56,6 +58,11 @@ class ProcessIdentityTest {
   @Test
   void stoppedProcessIsAliveAndEndsByForce() throws Exception {
     new ProcessBuilder("kill", "-STOP", Long.toString(child.pid())).start().waitFor();
+    // Until it has stopped, the next signal may overtake the first.
+    Path stat = Path.of("/proc", Long.toString(child.pid()), "stat");
+    await("process " + child.pid() + " has stopped")
+        .atMost(20, SECONDS)
+        .until(() -> Files.readString(stat).matches("(?s).*\\) T .*"));
     ProcessIdentity identity = ProcessIdentity.of(child.toHandle());
     identity.destroy(false);
     assertThat(identity.awaitDeath(Duration.ofMillis(100))).as("ended though stopped").isFalse();

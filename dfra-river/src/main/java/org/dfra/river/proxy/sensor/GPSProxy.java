@@ -1,4 +1,4 @@
-package org.dfra.river.proxy;
+package org.dfra.river.proxy.sensor;
 
 import java.rmi.RemoteException;
 import java.util.UUID;
@@ -7,6 +7,7 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.module.Identification;
+import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 
 /** Smart proxy of a satellite positioning receiver. */

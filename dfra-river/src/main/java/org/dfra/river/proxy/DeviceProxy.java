@@ -3,7 +3,7 @@ package org.dfra.river.proxy;
 import java.rmi.RemoteException;
 import java.util.List;
 import java.util.UUID;
-import org.dfra.flow.sensor.Sensor;
+import org.dfra.flow.Device;
 import org.dfra.geometry.Transform;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Identification;
@@ -14,12 +14,12 @@ import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Smart proxy of a sensor. What is constant about it is asked for once and kept here; a module that
+ * Smart proxy of a device. What is constant about it is asked for once and kept here; a module that
  * was replaced by a newer version gets a new proxy.
  *
- * @param <S> the sensor's interface
+ * @param <D> the device's interface
  */
-public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> implements Sensor {
+public abstract class DeviceProxy<D extends Device> extends ChainableProxy<D> implements Device {
 
   private static final long serialVersionUID = 1L;
 
@@ -27,18 +27,11 @@ public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> imple
   private final Cached<List<Precondition>> preconditions = new Cached<>();
   private final Cached<List<String>> tests = new Cached<>();
   private final Cached<List<String>> recoveries = new Cached<>();
-  private final Cached<List<String>> inputTypes = new Cached<>();
-  private final Cached<List<String>> outputTypes = new Cached<>();
 
   /** See {@link ModuleProxy#ModuleProxy}. */
-  protected SensorProxy(
-      Class<S> kind, RemoteModule server, UUID id, Identification identification) {
+  protected DeviceProxy(
+      Class<D> kind, RemoteModule server, UUID id, Identification identification) {
     super(kind, server, id, identification);
-  }
-
-  @Override
-  public final double updateRate() throws RemoteException {
-    return target().updateRate();
   }
 
   @Override
@@ -68,7 +61,7 @@ public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> imple
 
   @Override
   public final Diagnosis test(String name) throws RemoteException {
-    S target = target();
+    D target = target();
     return target instanceof RemoteExamination remote
         ? examine(remote, Sort.TEST, name)
         : target.test(name);
@@ -81,7 +74,7 @@ public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> imple
 
   @Override
   public final Diagnosis recover(String name) throws RemoteException {
-    S target = target();
+    D target = target();
     return target instanceof RemoteExamination remote
         ? examine(remote, Sort.RECOVERY, name)
         : target.recover(name);
@@ -97,35 +90,5 @@ public abstract class SensorProxy<S extends Sensor> extends ModuleProxy<S> imple
         return found;
       }
     }
-  }
-
-  @Override
-  public final List<String> inputTypes() throws RemoteException {
-    return inputTypes.get(target()::inputTypes);
-  }
-
-  @Override
-  public final List<String> outputTypes() throws RemoteException {
-    return outputTypes.get(target()::outputTypes);
-  }
-
-  @Override
-  public final List<String> inputs() throws RemoteException {
-    return target().inputs();
-  }
-
-  @Override
-  public final List<String> outputs() throws RemoteException {
-    return target().outputs();
-  }
-
-  @Override
-  public final void setInputs(List<String> modules) throws RemoteException {
-    target().setInputs(modules);
-  }
-
-  @Override
-  public final void setOutputs(List<String> modules) throws RemoteException {
-    target().setOutputs(modules);
   }
 }

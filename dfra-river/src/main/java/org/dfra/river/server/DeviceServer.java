@@ -5,34 +5,53 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.util.List;
 import java.util.UUID;
-import org.dfra.flow.sensor.Sensor;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.flow.Device;
 import org.dfra.geometry.Transform;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Precondition;
-import org.dfra.river.remote.RemoteSensor;
+import org.dfra.river.remote.RemoteDevice;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Activatable server of a sensor.
+ * Activatable server of a device.
  *
- * @param <S> the sensor's interface
+ * @param <D> the device's interface
  */
-public abstract class SensorServer<S extends Sensor> extends ModuleServer<S>
-    implements RemoteSensor {
+public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
+    implements RemoteDevice {
 
-  private final ExaminationRuns examinations;
+  /** Made when it is first wanted: clients call as soon as ModuleServer's constructor is over. */
+  private @Nullable ExaminationRuns examinations; // guarded by this
 
   /** See {@link ModuleServer#ModuleServer}. */
-  protected SensorServer(
-      Class<S> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
+  protected DeviceServer(
+      Class<D> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
     super(kind, id, data);
-    this.examinations = new ExaminationRuns(path(), module());
   }
 
-  @Override
-  public final double updateRate() throws RemoteException {
-    return module().updateRate();
+  /**
+   * The same, for a driver that must extend more.
+   *
+   * @param base what the driver must extend
+   */
+  protected DeviceServer(
+      Class<D> kind,
+      Class<? extends ModuleImpl> base,
+      @Nullable ActivationID id,
+      MarshalledObject<ModuleActivation> data)
+      throws Exception {
+    super(kind, base, id, data);
+  }
+
+  private synchronized ExaminationRuns examinations() {
+    ExaminationRuns runs = examinations;
+    if (runs == null) {
+      runs = new ExaminationRuns(path(), module());
+      examinations = runs;
+    }
+    return runs;
   }
 
   @Override
@@ -79,41 +98,11 @@ public abstract class SensorServer<S extends Sensor> extends ModuleServer<S>
 
   @Override
   public final UUID beginExamination(Sort sort, String name) throws RemoteException {
-    return examinations.begin(sort, name);
+    return examinations().begin(sort, name);
   }
 
   @Override
   public final @Nullable Diagnosis examination(UUID run) {
-    return examinations.await(run, LONGEST_WAIT);
-  }
-
-  @Override
-  public final List<String> inputTypes() throws RemoteException {
-    return module().inputTypes();
-  }
-
-  @Override
-  public final List<String> outputTypes() throws RemoteException {
-    return module().outputTypes();
-  }
-
-  @Override
-  public final List<String> inputs() throws RemoteException {
-    return module().inputs();
-  }
-
-  @Override
-  public final List<String> outputs() throws RemoteException {
-    return module().outputs();
-  }
-
-  @Override
-  public final void setInputs(List<String> modules) throws RemoteException {
-    module().setInputs(modules);
-  }
-
-  @Override
-  public final void setOutputs(List<String> modules) throws RemoteException {
-    module().setOutputs(modules);
+    return examinations().await(run, LONGEST_WAIT);
   }
 }

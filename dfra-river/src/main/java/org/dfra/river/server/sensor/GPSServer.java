@@ -1,4 +1,4 @@
-package org.dfra.river.server;
+package org.dfra.river.server.sensor;
 
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
@@ -7,7 +7,9 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
-import org.dfra.river.remote.RemoteGPSSensor;
+import org.dfra.river.remote.sensor.RemoteGPSSensor;
+import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
 import org.jspecify.annotations.Nullable;
 
 /** Activatable server of a satellite positioning receiver. */

@@ -1,4 +1,4 @@
-package org.dfra.river.proxy;
+package org.dfra.river.proxy.sensor;
 
 import java.rmi.RemoteException;
 import java.util.UUID;
@@ -11,6 +11,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.module.Identification;
+import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 

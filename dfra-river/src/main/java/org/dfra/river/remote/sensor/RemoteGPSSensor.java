@@ -1,4 +1,4 @@
-package org.dfra.river.remote;
+package org.dfra.river.remote.sensor;
 
 import org.dfra.flow.sensor.GPSSensor;
 

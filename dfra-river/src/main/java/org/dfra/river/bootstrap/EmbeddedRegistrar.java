@@ -1,0 +1,231 @@
+package org.dfra.river.bootstrap;
+
+import com.sun.jini.admin.DestroyAdmin;
+import com.sun.jini.start.LifeCycle;
+import com.sun.jini.start.ServiceProxyAccessor;
+import java.io.IOException;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import net.jini.config.Configuration;
+import net.jini.core.entry.Entry;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.core.host.FreePorts;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.lookup.SuppliedConfiguration;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A lookup service in this virtual machine: stock reggie, which forgets everything when it ends, at
+ * one address and without multicast. For robots and tests without an activation system.
+ *
+ * <p>{@link #start} starts it and {@link #close} ends it; both do nothing the second time. What has
+ * ended can be started again: then it is another lookup service at the same port, which knows
+ * nobody.
+ */
+public final class EmbeddedRegistrar implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(EmbeddedRegistrar.class);
+
+  private static final String CLASS = "com.sun.jini.reggie.TransientRegistrarImpl";
+  private static final String COMPONENT = "com.sun.jini.reggie.";
+  private static final Duration PATIENCE = Duration.ofSeconds(10);
+  private static final long UNEXPORT_MILLIS = 1_000;
+  private static final int KNOCK_MILLIS = 100;
+
+  private record Running(Object reggie, ServiceRegistrar registrar, int port, CountDownLatch end) {}
+
+  private final String host;
+  private final Map<String, Supplier<?>> entries;
+  private int port; // guarded by this; 0 until it was started where none was named
+  private @Nullable Running running; // guarded by this
+
+  /**
+   * @param host address of this machine, which its proxy carries
+   * @param port TCP port of unicast discovery; 0 for a free one
+   * @param groups discovery groups that it is a member of
+   * @param lease the longest lease that it grants: whoever stops to renew is forgotten after it
+   * @param further entries of its Jini configuration, by their names in reggie's component, which
+   *     go before the usual ones
+   */
+  public EmbeddedRegistrar(
+      String host,
+      int port,
+      List<String> groups,
+      Duration lease,
+      Map<String, Supplier<?>> further) {
+    this.host = host;
+    this.port = port;
+    NetworkInterface[] none = {};
+    this.entries =
+        new HashMap<>(
+            Map.<String, Supplier<?>>of(
+                COMPONENT + "initialMemberGroups",
+                () -> groups.toArray(String[]::new),
+                COMPONENT + "serverExporter",
+                () ->
+                    new BasicJeriExporter(
+                        Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true),
+                COMPONENT + "serverSocketFactory",
+                () -> new DiscoverySockets(host),
+                COMPONENT + "unicastDiscoveryHost",
+                () -> host,
+                COMPONENT + "multicastInterfaces",
+                () -> none,
+                COMPONENT + "minMaxServiceLease",
+                lease::toMillis,
+                COMPONENT + "minMaxEventLease",
+                lease::toMillis,
+                COMPONENT + "unexportTimeout", // calls that are still under way when it ends
+                () -> UNEXPORT_MILLIS,
+                "net.jini.discovery.LookupDiscovery.multicastInterfaces",
+                () -> none));
+    further.forEach((name, entry) -> entries.put(COMPONENT + name, entry));
+  }
+
+  /** Entries that reggie shows as its own, such as a robot's persona; for the constructor. */
+  static Map<String, Supplier<?>> showing(List<Entry> own) {
+    return Map.of("initialLookupAttributes", () -> own.toArray(Entry[]::new));
+  }
+
+  /**
+   * Starts it.
+   *
+   * @throws IOException if it cannot be; the message says why
+   */
+  public synchronized EmbeddedRegistrar start() throws IOException {
+    if (running == null) {
+      if (port == 0) { // reggie itself would try for the one that a robot here may need
+        port = FreePorts.next();
+      }
+      CountDownLatch end = new CountDownLatch(1);
+      Object reggie = reggie(end);
+      ServiceRegistrar registrar =
+          (ServiceRegistrar) ((ServiceProxyAccessor) reggie).getServiceProxy();
+      running = new Running(reggie, registrar, port, end);
+    }
+    return this;
+  }
+
+  /** By its name: DFRA is compiled without reggie, which only runs beside it. */
+  private Object reggie(CountDownLatch end) throws IOException {
+    int wanted = port;
+    Map<String, Supplier<?>> all = new HashMap<>(entries);
+    all.put(COMPONENT + "initialUnicastDiscoveryPort", () -> wanted);
+    LifeCycle life =
+        ended -> {
+          end.countDown();
+          return true;
+        };
+    try {
+      Constructor<?> constructor =
+          Class.forName(CLASS).getDeclaredConstructor(Configuration.class, LifeCycle.class);
+      constructor.setAccessible(true);
+      return constructor.newInstance(new SuppliedConfiguration(all), life);
+    } catch (InvocationTargetException e) {
+      throw new IOException(
+          "the lookup service at " + host + " did not start: " + e.getCause(), e.getCause());
+    } catch (ReflectiveOperationException e) {
+      throw new IOException(
+          "there is no usable reggie on the class path (" + e + "); add its jar", e);
+    }
+  }
+
+  /**
+   * The lookup service.
+   *
+   * @throws IllegalStateException if it does not run
+   */
+  public ServiceRegistrar registrar() {
+    return running().registrar();
+  }
+
+  /** The same; nothing if it does not run. Another thread may end it at any time. */
+  public synchronized Optional<ServiceRegistrar> find() {
+    return Optional.ofNullable(running).map(Running::registrar);
+  }
+
+  /** Its TCP port for unicast discovery. */
+  public int port() {
+    return running().port();
+  }
+
+  /** Where modules and clients find it: {@code jini://host:port}. */
+  public String locator() {
+    return "jini://" + host + ":" + port();
+  }
+
+  private synchronized Running running() {
+    Running now = running;
+    if (now == null) {
+      throw new IllegalStateException("the lookup service at " + host + " does not run; start it");
+    }
+    return now;
+  }
+
+  /**
+   * Ends it and waits until it has ended.
+   *
+   * @throws IOException if it does not end
+   */
+  @Override
+  public synchronized void close() throws IOException {
+    Running ending = running;
+    running = null;
+    if (ending == null) {
+      return;
+    }
+    ((DestroyAdmin) ending.reggie()).destroy();
+    try {
+      if (!awaitEnd(ending)) {
+        throw new IOException(
+            "the lookup service at "
+                + host
+                + ":"
+                + ending.port()
+                + " did not end within "
+                + PATIENCE.toSeconds()
+                + " s");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // it ends all the same
+    }
+  }
+
+  /**
+   * Reggie wakes its thread that accepts connections by one to this machine's own name, once. Where
+   * that leads to another address than the one it listens at, nobody else would wake it.
+   */
+  private boolean awaitEnd(Running ending) throws InterruptedException {
+    long began = System.nanoTime();
+    while (!ending.end().await(KNOCK_MILLIS, TimeUnit.MILLISECONDS)) {
+      if (System.nanoTime() - began > PATIENCE.toNanos()) {
+        return false;
+      }
+      knock(ending.port());
+    }
+    return true;
+  }
+
+  private void knock(int port) {
+    try (Socket door = new Socket()) {
+      door.connect(new InetSocketAddress(host, port), KNOCK_MILLIS);
+    } catch (IOException e) {
+      LOG.debug("The lookup service at {}:{} listens no more.", host, port, e);
+    }
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.rmi.MarshalledObject;
+import java.rmi.activation.ActivationException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import net.jini.admin.JoinAdmin;
+import net.jini.core.entry.Entry;
+import net.jini.lookup.DiscoveryAdmin;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.entry.Entries;
+import org.dfra.river.entry.PersonaEntry;
+
+/**
+ * A robot's own lookup service under phoenix: stock reggie, which keeps its state, listens where
+ * the description says, and shows the robot's persona.
+ */
+final class RobotRegistrar {
+
+  private final RobotDescription robot;
+  private final String host;
+  private final boolean multicast;
+  private final Path state;
+
+  /**
+   * @param host address or name that its proxy carries
+   * @param multicast whether it announces itself and listens for others
+   * @param state folder of what phoenix keeps
+   */
+  RobotRegistrar(RobotDescription robot, String host, boolean multicast, Path state) {
+    this.robot = robot;
+    this.host = host;
+    this.multicast = multicast;
+    this.state = state;
+  }
+
+  /**
+   * Registers it with the activation system, starts it and tells it what the description says now.
+   *
+   * @param group the service group that it is in
+   * @throws ActivationException if it cannot be registered or activated
+   * @throws IOException if it cannot be told its port or its groups, such as when the port is taken
+   */
+  Service bringUp(BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
+      throws ActivationException, IOException {
+    Service service = register(loader, group, description);
+    ServiceStart.of(service, description.place());
+    try {
+      settle((DiscoveryAdmin) service.id().activate(false), description);
+    } catch (IOException e) {
+      throw new IOException(description.place() + ": " + service.name() + ": " + e.getMessage(), e);
+    }
+    showPersona((JoinAdmin) service.id().activate(false)); // reggie's remote interface is one
+    return service;
+  }
+
+  private Service register(
+      BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
+      throws ActivationException, IOException {
+    Path folder = state.resolve("registrars");
+    Files.createDirectories(folder);
+    String[] arguments =
+        RegistrarArguments.of(
+            host,
+            description.port(),
+            folder.resolve(robot.name()),
+            robot.lookupGroups(),
+            multicast);
+    return loader.registrar(group, description, new MarshalledObject<>(arguments));
+  }
+
+  /** Reggie reads its port and groups only once in its life; what changed since is told to it. */
+  private void settle(DiscoveryAdmin registrar, RegistrarDescription description)
+      throws IOException {
+    if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {
+      registrar.setUnicastPort(description.port());
+    }
+    Set<String> groups = Set.copyOf(robot.lookupGroups());
+    if (!groups.equals(Set.copyOf(Arrays.asList(registrar.getMemberGroups())))) {
+      registrar.setMemberGroups(groups.toArray(String[]::new));
+    }
+  }
+
+  /**
+   * Attaches the robot's persona to it, in place of an older one. The registrar keeps it in its own
+   * log, so it is there again after every restart.
+   */
+  private void showPersona(JoinAdmin registrar) throws IOException {
+    Entry[] old =
+        Arrays.stream(registrar.getLookupAttributes())
+            .filter(PersonaEntry.class::isInstance)
+            .toArray(Entry[]::new);
+    Entry[] wanted = robot.persona().map(each -> Entries.of(List.of(each))).orElse(new Entry[0]);
+    if (Arrays.equals(old, wanted)) {
+      return;
+    }
+    if (old.length > 0) {
+      registrar.modifyLookupAttributes(old, new Entry[old.length]); // null takes it out
+    }
+    if (wanted.length > 0) {
+      registrar.addLookupAttributes(wanted);
+    }
+  }
+}

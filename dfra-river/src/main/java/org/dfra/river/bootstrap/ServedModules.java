@@ -1,0 +1,75 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.rmi.MarshalledObject;
+import java.rmi.activation.ActivationID;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.module.NamedClasses;
+import org.dfra.core.robot.Ending;
+import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
+
+/**
+ * Modules that are served in this virtual machine, by the same servers as in service groups, and
+ * the lookup service that they join. No activation system brings back what ends.
+ */
+public final class ServedModules implements AutoCloseable {
+
+  private final String whose;
+  private final EmbeddedRegistrar registrar;
+  private final Deque<ModuleServer<?>> serving = new ArrayDeque<>(); // guarded by this
+
+  /**
+   * @param whose modules they are, for messages, e.g. {@code robot atrv1}
+   * @param registrar is ended with them; whoever gives it starts it
+   */
+  public ServedModules(String whose, EmbeddedRegistrar registrar) {
+    this.whose = whose;
+    this.registrar = registrar;
+  }
+
+  /** The lookup service, which may be ended and started again while the modules run. */
+  public EmbeddedRegistrar registrar() {
+    return registrar;
+  }
+
+  /**
+   * Serves one more.
+   *
+   * @throws ConfigurationException if it cannot be made or served
+   * @throws IOException if it cannot be marshalled
+   */
+  public synchronized void serve(ModuleActivation activation) throws IOException {
+    ModuleDescription module = activation.module();
+    NamedClasses classes = new NamedClasses(module);
+    Class<?> type = classes.load("server", module.serverClass());
+    if (!ModuleServer.class.isAssignableFrom(type)) {
+      throw classes.fault("server " + type.getName() + " is no ModuleServer", null);
+    }
+    serving.push(
+        (ModuleServer<?>)
+            classes.construct(
+                "server",
+                type,
+                new Class<?>[] {ActivationID.class, MarshalledObject.class},
+                null,
+                new MarshalledObject<>(activation)));
+  }
+
+  /**
+   * Ends the modules, the last first, and then the lookup service. Where one cannot be ended, the
+   * others are, and then that is thrown.
+   */
+  @Override
+  public synchronized void close() throws IOException {
+    Ending ending = new Ending(whose);
+    while (!serving.isEmpty()) {
+      ending.end(serving.pop()::close);
+    }
+    ending.end(registrar);
+    ending.orThrow();
+  }
+}

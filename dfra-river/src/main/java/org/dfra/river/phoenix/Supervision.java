@@ -1,0 +1,110 @@
+package org.dfra.river.phoenix;
+
+import java.rmi.activation.ActivationException;
+import java.time.Duration;
+import java.util.Optional;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What the end of a group's process leads to: nothing where it was to end, else a start after a
+ * delay, or none for a while where it crashed too often. Confined to the group's lock.
+ */
+final class Supervision {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Supervision.class);
+
+  private final Daemon daemon;
+  private final Group group;
+  private final CrashHistory crashes;
+  private boolean forgotten;
+  private String lastFailure = "";
+
+  Supervision(Daemon daemon, Group group) {
+    this.daemon = daemon;
+    this.group = group;
+    this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.clock());
+  }
+
+  /** The group was unregistered: no end of its process is a crash from now on. */
+  void forget() {
+    forgotten = true;
+  }
+
+  /**
+   * The group's process has ended, or was never launched. That is a crash, but where it was
+   * announced, the group is forgotten or the daemon itself ends.
+   *
+   * @param how it ended, as the rest of a sentence that begins with the group's name
+   * @param announced whether the process had said that it would
+   */
+  void ended(String how, boolean announced) {
+    lastFailure = how + "; see " + daemon.output(group.name) + " and the .vm.log beside it";
+    if (announced || forgotten || !daemon.isRunning()) {
+      LOG.info("Group {} {}.", group.name, how);
+      return;
+    }
+    crashes.crashed(how);
+    LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());
+    Optional<Duration> delay = crashes.restartDelay();
+    if (delay.isPresent()) {
+      daemon.restartLater(group, delay.get());
+    } else {
+      LOG.error(
+          "Group {} crashed {} times within {} s: it is left alone until {} and then started by"
+              + " the next call. See {}.",
+          group.name,
+          crashes.recentCount(),
+          daemon.configuration().restartPolicy().window().toSeconds(),
+          crashes.heldOffUntil().orElseThrow(),
+          daemon.output(group.name));
+    }
+  }
+
+  /** How the group's process ended the last time, for whoever waited for it. */
+  ActivationException failure() {
+    return new ActivationException("group " + group.name + " " + lastFailure);
+  }
+
+  /**
+   * Refuses a start while the group is held off.
+   *
+   * @throws ActivationException if it is; the message says why and until when
+   */
+  void requireNotHeldOff() throws ActivationException {
+    if (crashes.heldOffUntil().isPresent()) {
+      throw new ActivationException(
+          "group "
+              + group.name
+              + " crashed "
+              + crashes.recentCount()
+              + " times within "
+              + daemon.configuration().restartPolicy().window().toSeconds()
+              + " s and is held off until "
+              + crashes.heldOffUntil().get()
+              + "; the last time it "
+              + lastFailure);
+    }
+  }
+
+  /**
+   * What an administrator sees.
+   *
+   * @param objects how many are registered in the group
+   */
+  GroupStatus status(Incarnation current, int objects) {
+    ProcessIdentity process = current.process();
+    return new GroupStatus(
+        group.name,
+        current.state(),
+        current.number(),
+        process == null ? -1 : process.pid(),
+        current.adopted(),
+        objects,
+        crashes.recentCount(),
+        crashes.total(),
+        crashes.last().orElse(null),
+        crashes.heldOffUntil().orElse(null),
+        daemon.output(group.name).toString());
+  }
+}

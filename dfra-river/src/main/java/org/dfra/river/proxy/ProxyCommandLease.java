@@ -1,0 +1,64 @@
+package org.dfra.river.proxy;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.time.Scheduler;
+
+/** A commander's lease on an effector elsewhere, kept by a {@link Tenure} until it is lost. */
+public final class ProxyCommandLease implements CommandLease {
+
+  /** Longer than a call's usual deadline of 2 s. */
+  private static final Duration LONGEST_RETURN = Duration.ofSeconds(3);
+
+  private final Tenure tenure;
+  private final CommandKey key;
+
+  private ProxyCommandLease(Tenure tenure, CommandKey key) {
+    this.tenure = tenure;
+    this.key = key;
+  }
+
+  /** Renews a lease from now on; where it is lost it asks for no other. */
+  public static CommandLease keep(String path, LeasedCommand given, Duration duration) {
+    Tenure tenure =
+        new Tenure("command of " + path, duration.toMillis(), given.lease(), Scheduler.system());
+    tenure.start();
+    return new ProxyCommandLease(tenure, given.key());
+  }
+
+  @Override
+  public CommandKey key() {
+    return key;
+  }
+
+  @Override
+  public Instant expiration() {
+    return tenure.expiration();
+  }
+
+  @Override
+  public boolean isLive() {
+    return tenure.isLive();
+  }
+
+  /**
+   * {@inheritDoc} When it returns the effector comes to rest and may be commanded by others, unless
+   * its server is silent: then the lease ends when it runs out.
+   */
+  @Override
+  public void close() {
+    try {
+      tenure.end().get(LONGEST_RETURN.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException | TimeoutException e) {
+      // it ends by itself
+    }
+  }
+}

@@ -1,0 +1,65 @@
+package org.dfra.river.proxy.effector;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.UUID;
+import org.dfra.flow.effector.Command;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.Effector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Identification;
+import org.dfra.river.proxy.DeviceProxy;
+import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.proxy.ProxyCommandLease;
+import org.dfra.river.remote.RemoteModule;
+import org.dfra.river.remote.effector.LeasedCommand;
+
+/**
+ * Smart proxy of an effector.
+ *
+ * @param <C> what the effector can be told
+ * @param <E> the effector's interface
+ */
+public abstract class EffectorProxy<C extends Command, E extends Effector<C>> extends DeviceProxy<E>
+    implements Effector<C> {
+
+  private static final long serialVersionUID = 1L;
+
+  /** See {@link ModuleProxy#ModuleProxy}. */
+  protected EffectorProxy(
+      Class<E> kind, RemoteModule server, UUID id, Identification identification) {
+    super(kind, server, id, identification);
+  }
+
+  /** {@inheritDoc} From here it renews itself, as long as this program lives. */
+  @Override
+  public final CommandLease command(Duration duration)
+      throws LeaseRefusedException, RemoteException {
+    CommandLease given = target().command(duration);
+    return given instanceof LeasedCommand leased
+        ? ProxyCommandLease.keep(identification().path(), leased, duration)
+        : given;
+  }
+
+  @Override
+  public final void obey(CommandKey key, C command) throws RemoteException {
+    target().obey(key, command);
+  }
+
+  @Override
+  public final StopState emergencyStop(String by) throws RemoteException {
+    return target().emergencyStop(by);
+  }
+
+  @Override
+  public final StopState releaseStop(String by) throws RemoteException {
+    return target().releaseStop(by);
+  }
+
+  @Override
+  public final StopState stopState() throws RemoteException {
+    return target().stopState();
+  }
+}

@@ -1,0 +1,99 @@
+package org.dfra.river.server;
+
+import java.io.IOException;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.river.lookup.DirectorySettings;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one module finds others by: a directory of the lookup services that it joins itself. It is
+ * opened when the module first asks, and shared by all modules of this virtual machine that join
+ * the same ones.
+ */
+final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
+
+  private static final class Shared {
+    private final JiniModuleDirectory directory;
+    private int users;
+
+    Shared(JiniModuleDirectory directory) {
+      this.directory = directory;
+    }
+  }
+
+  private static final Map<DirectorySettings, Shared> OPEN = new HashMap<>(); // guarded by itself
+
+  private final String module;
+  private final DirectorySettings settings;
+  private @Nullable Shared used; // guarded by OPEN
+  private boolean closed; // guarded by OPEN
+
+  Neighbourhood(ModuleActivation activation) {
+    this.module = activation.module().path();
+    this.settings =
+        DirectorySettings.of(activation.host(), activation.lookupGroups(), activation.locators());
+  }
+
+  /**
+   * The directory.
+   *
+   * @throws ConfigurationException if multicast cannot be used or a locator is malformed
+   */
+  @Override
+  public ModuleDirectory get() {
+    synchronized (OPEN) {
+      Shared shared = used;
+      if (shared != null) {
+        return shared.directory;
+      }
+      if (closed) {
+        throw new IllegalStateException(module + " has ended and looks for no other modules");
+      }
+      shared = OPEN.get(settings);
+      if (shared == null) {
+        shared = new Shared(open());
+        OPEN.put(settings, shared);
+      }
+      shared.users++;
+      used = shared;
+      return shared.directory;
+    }
+  }
+
+  private JiniModuleDirectory open() {
+    try {
+      return new JiniModuleDirectory(settings, InstantSource.system());
+    } catch (IOException e) {
+      throw new ConfigurationException(
+          module
+              + " cannot look for other modules ("
+              + e.getMessage()
+              + "); mend groups and locators in <lookup> of the robot's XML",
+          e);
+    }
+  }
+
+  /** The module looks for no others any more; the last one closes the directory. */
+  @Override
+  public void close() {
+    @Nullable JiniModuleDirectory ending = null;
+    synchronized (OPEN) {
+      closed = true;
+      Shared shared = used;
+      used = null;
+      if (shared != null && --shared.users == 0) {
+        OPEN.remove(settings);
+        ending = shared.directory;
+      }
+    }
+    if (ending != null) {
+      ending.close();
+    }
+  }
+}

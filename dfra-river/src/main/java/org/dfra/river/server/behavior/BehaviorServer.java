@@ -1,0 +1,56 @@
+package org.dfra.river.server.behavior;
+
+import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationID;
+import java.util.UUID;
+import org.dfra.behavior.Behavior;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.Goal;
+import org.dfra.river.remote.behavior.RemoteBehavior;
+import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
+import org.dfra.river.server.schema.SchemaServer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Activatable server of a behaviour.
+ *
+ * @param <G> what the behaviour can reach
+ * @param <B> the behaviour's interface
+ */
+public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> extends SchemaServer<B>
+    implements RemoteBehavior<G> {
+
+  /** See {@link ModuleServer#ModuleServer}. */
+  protected BehaviorServer(
+      Class<B> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
+      throws Exception {
+    super(kind, id, data);
+  }
+
+  @Override
+  public final UUID pursue(G goal) throws RemoteException {
+    return module().pursue(goal);
+  }
+
+  @Override
+  public final BehaviorStatus status() throws RemoteException {
+    return module().status();
+  }
+
+  @Override
+  public final void pause() throws RemoteException {
+    module().pause();
+  }
+
+  @Override
+  public final void resume() throws RemoteException {
+    module().resume();
+  }
+
+  @Override
+  public final void cancel() throws RemoteException {
+    module().cancel();
+  }
+}

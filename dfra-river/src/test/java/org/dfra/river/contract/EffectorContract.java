@@ -1,0 +1,267 @@
+package org.dfra.river.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent.NewReading;
+import org.dfra.event.Subscription;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Brake;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveState;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What every effector owes to whoever commands it, or would like to, wherever it lives. */
+@Timeout(60)
+abstract class EffectorContract extends EmergencyStopContract {
+
+  @Test
+  void obeysItsCommanderInOrder() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      assertThat(lease.isLive()).isTrue();
+      effector().obey(lease.key(), AHEAD);
+      effector().obey(lease.key(), new Velocity(4, 4));
+      effector().obey(lease.key(), new Brake(true));
+      effector().obey(lease.key(), new Brake(false));
+      effector().obey(lease.key(), Velocity.ZERO);
+      assertThat(driver().told)
+          .containsExactly(
+              TURNED, "turn 1.0 1.0", "halt", "brake true", "brake false", "turn 0.0 0.0");
+      DriveState state = effector().drive();
+      assertThat(state.commander()).isEqualTo(commander());
+      assertThat(state.velocity()).isEqualTo(Velocity.ZERO);
+      assertThat(state.brake()).isFalse();
+    }
+  }
+
+  @Test
+  void refusesWhoHoldsNoKey() throws Exception {
+    CommandKey invented = new CommandKey(UUID.randomUUID());
+    assertThatThrownBy(() -> effector().obey(invented, AHEAD))
+        .isInstanceOf(CommandRefusedException.class)
+        .hasMessage(
+            PATH + " has no commander, and this key counts no longer; ask it for a command lease");
+    try (CommandLease lease = effector().command(LEASE)) {
+      assertThatThrownBy(() -> effector().obey(invented, AHEAD))
+          .isInstanceOf(CommandRefusedException.class)
+          .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
+          .hasMessageNotContaining(lease.key().secret().toString());
+      assertThat(driver().told).isEmpty();
+    }
+  }
+
+  @Test
+  void refusesASecondCommanderAndNamesTheFirst() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      UUID id = driver().leases().leases().get(0).id();
+      assertThatThrownBy(() -> effector().command(LEASE))
+          .isInstanceOf(LeaseRefusedException.class)
+          .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
+          .hasMessageContaining("have its lease " + id + " revoked");
+      effector().obey(lease.key(), AHEAD);
+      assertThat(driver().told).as("the first is not disturbed").containsExactly(TURNED);
+    }
+  }
+
+  @Test
+  void countsItsCommanderAsOne() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      assertThat(driver().leases().leases())
+          .singleElement()
+          .extracting(LeaseStatus::holder)
+          .isEqualTo(Holder.COMMANDER);
+      assertThat(effector().readiness()).isEqualTo(Readiness.ACTIVE);
+      assertThat(lease.expiration()).isAfter(java.time.Instant.now());
+    }
+    assertThat(effector().readiness()).isEqualTo(Readiness.READY);
+    assertThat(driver().leases().leases()).isEmpty();
+  }
+
+  @Test
+  void aClosedLeaseHaltsTheWheelsAndFreesTheHelmBeforeItReturns() throws Exception {
+    for (int i = 0; i < 20; i++) {
+      driver().told.clear();
+      CommandLease lease = effector().command(LEASE);
+      effector().obey(lease.key(), AHEAD);
+      lease.close();
+      lease.close();
+      assertThat(lease.isLive()).isFalse();
+      assertThat(driver().told).containsExactly(TURNED, "halt");
+      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+          .isInstanceOf(CommandRefusedException.class);
+    }
+  }
+
+  @Test
+  void aRevokedLeaseHaltsTheWheelsAndItsHolderHearsOfIt() throws Exception {
+    CommandLease lease = effector().command(LEASE);
+    effector().obey(lease.key(), AHEAD);
+    assertThat(driver().leases().revoke(driver().leases().leases().get(0).id())).isTrue();
+    assertThat(driver().told).containsExactly(TURNED, "halt");
+    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+        .isInstanceOf(CommandRefusedException.class);
+    await().atMost(PATIENCE).until(() -> !lease.isLive());
+    try (CommandLease next = effector().command(LEASE)) {
+      lease.close();
+      effector().obey(next.key(), AHEAD);
+      assertThat(driver().told).as("the old holder's close").endsWith("halt", TURNED);
+    }
+  }
+
+  @Test
+  void aModuleThatEndsHaltsTheWheelsBeforeItClosesItsDevice() throws Exception {
+    CommandLease lease = effector().command(LEASE);
+    effector().obey(lease.key(), AHEAD);
+    end();
+    assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
+    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+        .isInstanceOfAny(CommandRefusedException.class, RemoteException.class);
+    assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
+    lease.close();
+    assertThat(lease.isLive()).isFalse();
+  }
+
+  @Test
+  void silenceHaltsTheWheelsAndIsCounted() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      effector().obey(lease.key(), AHEAD);
+      await().atMost(PATIENCE).until(this::hasFallenSilent);
+      assertThat(driver().told).containsExactly(TURNED, "halt");
+      assertThat(effector().drive().velocity()).isEqualTo(Velocity.ZERO);
+      assertThat(lease.isLive()).as("it still commands").isTrue();
+      effector().obey(lease.key(), AHEAD);
+      assertThat(driver().told).startsWith(TURNED, "halt", TURNED);
+    }
+  }
+
+  private boolean hasFallenSilent() throws RemoteException {
+    driver().look();
+    return effector().drive().silences() == 1;
+  }
+
+  @Test
+  void refusesToMoveWithItsBrakeSet() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      effector().obey(lease.key(), new Brake(true));
+      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage(PATH + " has its brake set; release it before it is told to move");
+      assertThat(driver().told).containsExactly("halt", "brake true");
+      assertThat(effector().drive().brake()).isTrue();
+    }
+  }
+
+  @Test
+  void doesNotObeyWhileItDoesNotServe() throws Exception {
+    try (CommandLease lease = effector().command(LEASE)) {
+      driver().lose();
+      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+          .isInstanceOf(NotReadyException.class)
+          .hasMessageStartingWith(PATH + " is INITIALIZING: it cannot obey ");
+      assertThat(driver().told).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "PT120S | lease 120 s > longest allowed 30 s; ask for 30 s or less",
+        "PT0S | lease 0 s is not above 0; ask for 30 s or less",
+      })
+  void aRefusedLeaseLeavesTheHelmFree(Duration asked, String sentence) throws Exception {
+    assertThatThrownBy(() -> effector().command(asked))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessage(PATH + ": " + sentence);
+    assertThat(driver().told).as("there was no commander to lose").isEmpty();
+    effector().command(LEASE).close();
+  }
+
+  @Test
+  void tellsWhatItDoesToWhomItMayConcern() throws Exception {
+    List<DriveState> heard = new CopyOnWriteArrayList<>();
+    try (Subscription unused =
+            effector()
+                .subscribe(
+                    delivery -> {
+                      if (delivery.event() instanceof NewReading reading) {
+                        heard.add((DriveState) reading.reading());
+                      }
+                    },
+                    DeliveryPolicy.keepLast(100).only(Kind.READING));
+        CommandLease lease = effector().command(LEASE)) {
+      effector().obey(lease.key(), AHEAD);
+      lease.close();
+      await().atMost(PATIENCE).until(() -> heard.size() >= 2);
+    }
+    assertThat(heard.get(0).velocity()).isEqualTo(AHEAD);
+    assertThat(heard.get(0).commander()).isEqualTo(commander());
+    assertThat(heard.get(1).velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(heard.get(1).commander()).isNull();
+  }
+
+  @Test
+  void onlyOneOfManyWhoAskAtOnceCommands() throws Exception {
+    for (int round = 0; round < 10; round++) {
+      List<CommandLease> granted = new CopyOnWriteArrayList<>();
+      List<CompletableFuture<Void>> asking =
+          java.util.stream.IntStream.range(0, 8)
+              .mapToObj(i -> CompletableFuture.runAsync(() -> ask(granted)))
+              .toList();
+      for (CompletableFuture<Void> each : asking) {
+        each.get(20, TimeUnit.SECONDS);
+      }
+      assertThat(granted).hasSize(1);
+      granted.get(0).close();
+    }
+  }
+
+  private void ask(List<CommandLease> granted) {
+    try {
+      granted.add(effector().command(LEASE));
+    } catch (LeaseRefusedException e) {
+      assertThat(e).hasMessageStartingWith(PATH + " is commanded by ");
+    } catch (RemoteException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void noCommandOfAnOldKeyIsObeyedOnceAnotherCommands() throws Exception {
+    for (int i = 1; i <= 20; i++) {
+      CommandLease lease = effector().command(LEASE);
+      String mine = "turn " + i * 1e-3 + " 0.0";
+      CompletableFuture<Void> commanding = CompletableFuture.runAsync(() -> commandOn(lease.key()));
+      Velocity velocity = new Velocity(i * 1e-3, 0);
+      effector().obey(lease.key(), velocity);
+      assertThat(driver().told).contains(mine);
+      lease.close();
+      driver().told.clear();
+      try (CommandLease next = effector().command(LEASE)) {
+        effector().obey(next.key(), AHEAD);
+        commanding.get(20, TimeUnit.SECONDS);
+        assertThat(driver().told).as("of commander %d", i).containsExactly(TURNED);
+      }
+    }
+  }
+}

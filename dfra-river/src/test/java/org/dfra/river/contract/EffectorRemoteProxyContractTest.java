@@ -1,0 +1,199 @@
+package org.dfra.river.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.UUID;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.DriveState;
+import org.dfra.flow.effector.StopState;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.river.proxy.effector.DriveProxy;
+import org.dfra.river.remote.ModuleAdmin;
+import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.river.remote.effector.RemoteDriveEffector;
+import org.dfra.river.server.effector.DriveServer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The proxy far from its effector, and what only those need who are far away. */
+class EffectorRemoteProxyContractTest extends EffectorContract {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+
+  private DriveServer server;
+  private DriveProxy proxy;
+
+  @BeforeEach
+  void serve() throws Exception {
+    server = ServedDrive.serve(UUID.randomUUID(), ScriptedDrive.class);
+    proxy = ServedDrive.far(server);
+  }
+
+  @AfterEach
+  @Override
+  void end() {
+    server.close();
+  }
+
+  @Override
+  DriveEffector effector() {
+    return proxy;
+  }
+
+  @Override
+  ScriptedDrive driver() {
+    return ScriptedDrive.last(PATH);
+  }
+
+  @Override
+  String commander() {
+    return "a client at 127.0.0.1";
+  }
+
+  @Test
+  void aCommanderThatDiedLosesTheHelmWhenItsLeaseRunsOut() throws Exception {
+    RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
+    CommandLease dead = remote.command(Duration.ofSeconds(2)); // what a proxy would renew
+    assertThat(dead).isInstanceOf(LeasedCommand.class);
+    remote.obey(dead.key(), new Velocity(0.5, 0));
+    await().atMost(PATIENCE).until(() -> driver().leases().leases().isEmpty());
+    await().atMost(PATIENCE).until(() -> driver().drive().commander() == null);
+    assertThat(driver().told).startsWith("turn 0.5 0.0", "halt");
+    assertThatThrownBy(() -> remote.obey(dead.key(), new Velocity(0.5, 0)))
+        .isInstanceOf(CommandRefusedException.class);
+    proxy.command(Duration.ofSeconds(10)).close();
+  }
+
+  @Test
+  void aLivingCommandersLeaseIsRenewed() throws Exception {
+    try (CommandLease lease = proxy.command(Duration.ofSeconds(2))) {
+      Instant first = lease.expiration();
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () -> assertThat(lease.expiration()).isAfter(first.plus(Duration.ofSeconds(2))));
+      proxy.obey(lease.key(), new Velocity(0.1, 0));
+      assertThat(lease.isLive()).isTrue();
+    }
+  }
+
+  @Test
+  void aLeaseThatWasLostDoesNotComeBack() throws Exception {
+    CommandLease lease = proxy.command(Duration.ofSeconds(10));
+    assertThat(driver().leases().cancel(driver().leases().leases().get(0).id()))
+        .as("the server knows it no more")
+        .isTrue();
+    await().atMost(PATIENCE).until(() -> !lease.isLive());
+    assertThat(driver().leases().leases()).isEmpty();
+    assertThat(driver().drive().commander()).isNull();
+  }
+
+  @Test
+  void whoCommandsFromWhereIsListedAndCanBeRevokedByAdministrators() throws Exception {
+    ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
+    CommandLease lease = proxy.command(Duration.ofSeconds(10));
+    LeaseStatus listed = admin.leases().get(0);
+    assertThat(listed.holder()).isEqualTo(Holder.COMMANDER);
+    assertThat(listed.host()).isEqualTo("127.0.0.1");
+    assertThat(admin.revoke(listed.id())).isTrue();
+    assertThat(driver().told).containsExactly("halt");
+    await().atMost(PATIENCE).until(() -> !lease.isLive());
+  }
+
+  @Test
+  void aCommanderInItsOwnVirtualMachineAndOneElsewhereExcludeEachOther() throws Exception {
+    try (CommandLease far = proxy.command(Duration.ofSeconds(10))) {
+      assertThatThrownBy(() -> driver().command(Duration.ofSeconds(10)))
+          .hasMessageContaining("is commanded by a client at 127.0.0.1");
+      driver().obey(far.key(), new Velocity(0.1, 0)); // whoever knows the key commands
+    }
+    try (CommandLease near = driver().command(Duration.ofSeconds(10))) {
+      assertThatThrownBy(() -> proxy.command(Duration.ofSeconds(10)))
+          .hasMessageContaining("is commanded by a module in its own virtual machine");
+      proxy.obey(near.key(), new Velocity(0.2, 0));
+    }
+    assertThat(driver().told).containsExactly("turn 0.1 0.0", "halt", "turn 0.2 0.0", "halt");
+  }
+
+  /** Implements the kind, but nothing guards it. */
+  public static final class Unguarded extends org.dfra.core.module.DeviceImpl
+      implements DriveEffector {
+
+    static volatile boolean made;
+
+    public Unguarded(ModuleContext context) {
+      super(
+          context,
+          "an unguarded drive",
+          "DFRA",
+          "1",
+          java.util.List.of(),
+          java.util.List.of(),
+          java.util.List.of());
+      made = true;
+    }
+
+    @Override
+    protected void onStart() {}
+
+    @Override
+    protected void onClose() {}
+
+    @Override
+    protected java.util.List<? extends org.dfra.persona.Attributes> traits() {
+      return java.util.List.of();
+    }
+
+    @Override
+    public CommandLease command(Duration duration) {
+      throw new UnsupportedOperationException();
+    }
+
+    @Override
+    public void obey(CommandKey key, DriveCommand command) {}
+
+    @Override
+    public StopState emergencyStop(String by) {
+      return StopState.NEVER;
+    }
+
+    @Override
+    public StopState releaseStop(String by) {
+      return StopState.NEVER;
+    }
+
+    @Override
+    public StopState stopState() {
+      return StopState.NEVER;
+    }
+
+    @Override
+    public DriveState drive() throws RemoteException {
+      throw new UnsupportedOperationException();
+    }
+  }
+
+  @Test
+  void refusesToServeADriverThatNothingGuardsBeforeItIsEvenMade() {
+    assertThatThrownBy(() -> ServedDrive.serve(UUID.randomUUID(), Unguarded.class))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("module atrv1/drive: driver " + Unguarded.class.getName())
+        .hasMessageEndingWith(
+            "is no EffectorImpl that implements org.dfra.flow.effector.DriveEffector");
+    assertThat(Unguarded.made).isFalse();
+  }
+}

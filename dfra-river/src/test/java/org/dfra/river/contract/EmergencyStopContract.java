@@ -1,0 +1,198 @@
+package org.dfra.river.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.core.config.Parameters;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent.IncidentNoted;
+import org.dfra.event.Subscription;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Incident;
+import org.dfra.persona.StopAttributes;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What every effector owes to whoever stops it for an emergency, wherever it lives. */
+@Timeout(60)
+abstract class EmergencyStopContract {
+
+  static final String PATH = "atrv1/drive";
+
+  /** Of the driver: so short that its {@link HeldScheduler} holds it. */
+  static final Parameters PARAMETERS = Parameters.of(PATH, Map.of("longest_silence", "0.05"));
+
+  static final Duration LEASE = Duration.ofSeconds(10);
+  static final Duration PATIENCE = Duration.ofSeconds(20);
+  static final Velocity AHEAD = new Velocity(0.5, -0.25);
+  static final String TURNED = "turn 0.5 -0.25";
+
+  /** The effector, as its client holds it. */
+  abstract DriveEffector effector();
+
+  /** Its driver. */
+  abstract ScriptedDrive driver();
+
+  /** Ends the module. */
+  abstract void end();
+
+  /** How a commander is called that asks in this way. */
+  abstract String commander();
+
+  /** Stops it, and waits for what a busy machine may not get done in half a second. */
+  private StopState stop(String by) throws Exception {
+    assertThat(effector().emergencyStop(by).latched()).isTrue();
+    await().atMost(PATIENCE).until(() -> effector().stopState().resting());
+    return effector().stopState();
+  }
+
+  @Test
+  void whoeverStopsItHaltsTheWheelsAndItsCommanderHasLostThem() throws Exception {
+    CommandLease lease = effector().command(LEASE);
+    effector().obey(lease.key(), AHEAD);
+    StopState stopped = stop("ops");
+    assertThat(driver().told).containsExactly(TURNED, "halt");
+    assertThat(stopped.by()).isEqualTo("ops");
+    assertThat(stopped.since()).isBeforeOrEqualTo(java.time.Instant.now());
+    assertThat(stopped.fault()).isNull();
+    assertThat(effector().drive().commander()).isNull();
+    assertThat(driver().leases().leases()).isEmpty();
+    await().atMost(PATIENCE).until(() -> !lease.isLive());
+    String sentence =
+        PATH
+            + " is stopped for an emergency since "
+            + stopped.since()
+            + ", by ops, and obeys nobody; when it is safe, release it: ./dfra stop --release"
+            + " atrv1";
+    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+        .isInstanceOf(StoppedCommandException.class)
+        .hasMessage(sentence);
+    assertThatThrownBy(() -> effector().command(LEASE))
+        .isInstanceOf(StoppedLeaseException.class)
+        .hasMessage(sentence);
+    assertThat(driver().told).containsExactly(TURNED, "halt");
+  }
+
+  @Test
+  void whoCommandedItIsToldOfTheStopAlsoAfterItsRelease() throws Exception {
+    CommandLease lease = effector().command(LEASE);
+    stop("ops");
+    effector().releaseStop("the chief");
+    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+        .isInstanceOf(StoppedCommandException.class)
+        .hasMessage(
+            PATH
+                + " was stopped for an emergency while this key commanded it, and was released"
+                + " since; whoever is to move it again asks it for a new command lease");
+    assertThat(driver().told).containsExactly("halt");
+  }
+
+  @Test
+  void staysStoppedUntilItIsReleasedAndDoesNotMoveByThat() throws Exception {
+    assertThat(effector().stopState()).isEqualTo(StopState.NEVER);
+    assertThat(effector().releaseStop("ops")).as("nothing to release").isEqualTo(StopState.NEVER);
+    StopState first = stop("ops");
+    assertThat(stop("another")).as("who was first is kept").isEqualTo(first);
+    driver().told.clear();
+    StopState released = effector().releaseStop("the chief");
+    assertThat(released.latched()).isFalse();
+    assertThat(released.by()).isEqualTo("the chief");
+    assertThat(effector().stopState()).isEqualTo(released);
+    assertThat(driver().told).isEmpty();
+    try (CommandLease lease = effector().command(LEASE)) {
+      effector().obey(lease.key(), AHEAD);
+      assertThat(driver().told).containsExactly(TURNED);
+    }
+  }
+
+  @Test
+  void isStoppedAlsoWhileItDoesNotServe() throws Exception {
+    driver().lose();
+    assertThat(stop("ops").latched()).isTrue();
+    assertThat(driver().told).containsExactly("halt");
+    assertThatThrownBy(() -> effector().command(LEASE))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessageContaining("is stopped for an emergency");
+  }
+
+  @Test
+  void tellsThatItIsStoppedAndReleased() throws Exception {
+    List<Incident> heard = new CopyOnWriteArrayList<>();
+    try (Subscription unused =
+        effector()
+            .subscribe(
+                delivery -> {
+                  if (delivery.event() instanceof IncidentNoted noted) {
+                    heard.add(noted.incident());
+                  }
+                },
+                DeliveryPolicy.keepLast(100).only(Kind.INCIDENT))) {
+      StopState stopped = stop("ops");
+      assertThat(driver().attributes()).contains(new StopAttributes(true, "ops", stopped.since()));
+      effector().releaseStop("the chief");
+      await().atMost(PATIENCE).until(() -> heard.size() >= 2);
+    }
+    assertThat(heard)
+        .extracting(Incident::kind)
+        .containsExactly(Incident.Kind.EMERGENCY_STOP, Incident.Kind.RELEASE);
+    assertThat(heard)
+        .extracting(Incident::what)
+        .containsExactly(
+            "it was stopped for an emergency, by ops",
+            "it was released from its emergency stop, by the chief");
+    assertThat(effector().history().recent()).containsAll(heard);
+  }
+
+  @Test
+  void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
+    CommandLease lease = effector().command(LEASE);
+    CountDownLatch holder = new CountDownLatch(1);
+    driver().turnHeldUp = holder;
+    CompletableFuture<Void> heldUp = CompletableFuture.runAsync(() -> commandOn(lease.key()));
+    try {
+      await().atMost(PATIENCE).until(() -> !driver().told.isEmpty());
+      StopState stopped = effector().emergencyStop("ops");
+      assertThat(stopped.latched()).isTrue();
+      assertThat(stopped.resting()).isFalse();
+      assertThat(stopped.fault()).startsWith("its driver is held up");
+      await().atMost(PATIENCE).until(() -> driver().told.contains("halt"));
+      assertThatThrownBy(() -> effector().command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+    } finally {
+      holder.countDown();
+    }
+    heldUp.get(20, TimeUnit.SECONDS);
+    await().atMost(PATIENCE).until(() -> effector().stopState().resting());
+    assertThat(driver().told).containsExactly("turn 0.9 0.0", "halt", "halt");
+  }
+
+  /** Until it is refused. */
+  void commandOn(CommandKey key) {
+    try {
+      while (true) {
+        effector().obey(key, new Velocity(0.9, 0));
+      }
+    } catch (CommandRefusedException e) {
+      // its time is over
+    } catch (RemoteException e) {
+      throw new AssertionError(e);
+    }
+  }
+}

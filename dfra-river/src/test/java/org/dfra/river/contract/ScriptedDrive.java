@@ -1,0 +1,99 @@
+package org.dfra.river.contract;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.dfra.core.effector.DriveImpl;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.module.Readiness;
+import org.dfra.persona.DriveAttributes;
+import org.jspecify.annotations.Nullable;
+
+/** A drive whose wheels write down what they are told. Silence is noticed when the test says so. */
+public final class ScriptedDrive extends DriveImpl {
+
+  private static final Map<String, ScriptedDrive> LAST = new ConcurrentHashMap<>();
+
+  /** {@code turn 0.5 -0.1}, {@code halt}, {@code brake true}, {@code closed}; in order. */
+  final List<String> told = new CopyOnWriteArrayList<>();
+
+  /** Who turns the wheels waits for it while it is not null. */
+  volatile @Nullable CountDownLatch turnHeldUp;
+
+  private final HeldScheduler scheduler;
+
+  public ScriptedDrive(ModuleContext context) {
+    this(context, new HeldScheduler());
+  }
+
+  private ScriptedDrive(ModuleContext context, HeldScheduler scheduler) {
+    super(
+        new ModuleContext(
+            context.robot(),
+            context.name(),
+            context.parameters(),
+            context.clock(),
+            context.state(),
+            context.leases(),
+            scheduler),
+        "a scripted drive",
+        "DFRA",
+        "1",
+        new DriveAttributes(1, 2, 0.78, 0.64),
+        0.15,
+        List.of());
+    this.scheduler = scheduler;
+    LAST.put(context.path(), this);
+  }
+
+  /** The one that was made last under this path. */
+  static ScriptedDrive last(String path) {
+    return LAST.get(path);
+  }
+
+  @Override
+  protected void onStart() {
+    become(Readiness.READY);
+  }
+
+  @Override
+  protected void onClose() {
+    told.add("closed");
+  }
+
+  @Override
+  protected void turn(Velocity wanted) {
+    told.add("turn " + wanted.speed() + " " + wanted.turnRate());
+    CountDownLatch holder = turnHeldUp;
+    try {
+      if (holder != null) {
+        holder.await();
+      }
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Override
+  protected void halt() {
+    told.add("halt");
+  }
+
+  @Override
+  protected void brake(boolean set) {
+    told.add("brake " + set);
+  }
+
+  /** If no velocity has come for too long by now, the drive may notice. */
+  void look() {
+    scheduler.release();
+  }
+
+  void lose() {
+    become(Readiness.INITIALIZING, "its cable was cut");
+    forgotten(false);
+  }
+}
