@@ -12,7 +12,7 @@ import java.util.function.Predicate;
  *
  * @param <M> what the messages are
  */
-public abstract class FrameParser<M> {
+public abstract class FrameParser<M> implements StreamParser {
 
   /** Decodes intact frames. */
   @FunctionalInterface
@@ -62,17 +62,19 @@ public abstract class FrameParser<M> {
     return found;
   }
 
-  /** Takes the next bytes; see {@link FrameScanner#feed}. */
+  /** {@inheritDoc} See {@link FrameScanner#feed}. */
+  @Override
   public final void feed(byte[] bytes, int offset, int length) {
     scanner.feed(bytes, offset, length, sink);
   }
 
-  /** No more bytes will follow; see {@link FrameScanner#finish}. */
+  /** {@inheritDoc} See {@link FrameScanner#finish}. */
+  @Override
   public final void finish() {
     scanner.finish(sink);
   }
 
-  /** What has come so far. */
+  @Override
   public final StreamCounts counts() {
     return new StreamCounts(scanner.frames(), scanner.droppedBytes(), malformed);
   }

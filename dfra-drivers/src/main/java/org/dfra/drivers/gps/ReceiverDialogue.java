@@ -3,6 +3,7 @@ package org.dfra.drivers.gps;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.dfra.core.module.LatestReading;
 import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.link.LinkUser;
 import org.dfra.drivers.link.SerialLink;
@@ -92,7 +93,7 @@ final class ReceiverDialogue implements LinkUser {
     long now = ticker.nanos();
     Duration silence = pace.longestAge();
     if (now - solvedNanos > silence.toNanos()) {
-      return "no position frame for " + ReceiverExamination.seconds(silence);
+      return "no position frame for " + LatestReading.seconds(silence);
     }
     if (now - positionNanos > silence.toNanos()) {
       listener.withoutPosition(state);

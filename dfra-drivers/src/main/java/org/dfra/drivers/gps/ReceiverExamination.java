@@ -1,5 +1,7 @@
 package org.dfra.drivers.gps;
 
+import static org.dfra.core.module.LatestReading.seconds;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
@@ -8,6 +10,7 @@ import java.util.stream.Collectors;
 import org.dfra.core.module.Examinations;
 import org.dfra.core.module.Examinations.Finding;
 import org.dfra.drivers.link.Heard;
+import org.dfra.drivers.link.LinkExamination;
 import org.dfra.drivers.link.LinkKeeper;
 
 /**
@@ -24,9 +27,6 @@ import org.dfra.drivers.link.LinkKeeper;
  */
 public final class ReceiverExamination {
 
-  /** The link was opened. */
-  static final String OPENING = "opening";
-
   /** The receiver told a solution, with a position or without. */
   static final String SOLUTION = "solution";
 
@@ -34,9 +34,8 @@ public final class ReceiverExamination {
   private static final int ENOUGH = 4;
 
   private static final Duration ANSWER = Duration.ofSeconds(3);
-  private static final Duration REOPENING = Duration.ofSeconds(10);
 
-  private final LinkKeeper keeper;
+  private final LinkExamination link;
   private final Consumer<byte[]> sender;
   private final Heard heard;
   private final Pace pace;
@@ -48,7 +47,7 @@ public final class ReceiverExamination {
       Heard heard,
       Pace pace,
       Supplier<List<SatelliteInView>> satellites) {
-    this.keeper = keeper;
+    this.link = new LinkExamination(keeper, heard);
     this.sender = sender;
     this.heard = heard;
     this.pace = pace;
@@ -62,11 +61,14 @@ public final class ReceiverExamination {
     examinations.recovery("reopen_link", this::reopenLink);
   }
 
+  /** The link was opened. */
+  void opened() {
+    link.opened();
+  }
+
   /** Whether the link is open. */
   public Finding link() {
-    return keeper.isOpen()
-        ? new Finding(true, "the link is open")
-        : new Finding(false, "the link is not open: " + keeper.trouble());
+    return link.link();
   }
 
   /**
@@ -79,9 +81,9 @@ public final class ReceiverExamination {
    */
   public Finding ask(byte[] question, String answer, String asked, Supplier<String> good)
       throws InterruptedException {
-    Finding link = link();
-    if (!link.passed()) {
-      return link;
+    Finding open = link();
+    if (!open.passed()) {
+      return open;
     }
     long before = heard.sofar(answer);
     sender.accept(question);
@@ -99,8 +101,8 @@ public final class ReceiverExamination {
   }
 
   private Finding positions() throws InterruptedException {
-    Finding link = link();
-    return link.passed() ? solution("the receiver sends position frames") : link;
+    Finding open = link();
+    return open.passed() ? solution("the receiver sends position frames") : open;
   }
 
   private Finding satellites() {
@@ -126,21 +128,6 @@ public final class ReceiverExamination {
   }
 
   private Finding reopenLink() throws InterruptedException {
-    long before = heard.sofar(OPENING);
-    keeper.reopen();
-    return heard.await(OPENING, before, REOPENING)
-        ? solution("the link was closed and opened again, and the receiver speaks")
-        : new Finding(
-            false,
-            "the link could not be opened again within "
-                + seconds(REOPENING)
-                + ": "
-                + keeper.trouble());
-  }
-
-  /** {@code 5 s} or {@code 2.3 s}. */
-  static String seconds(Duration duration) {
-    double seconds = duration.toMillis() / 1e3;
-    return (seconds == Math.rint(seconds) ? Long.toString((long) seconds) : seconds + "") + " s";
+    return link.reopen("receiver", this::solution);
   }
 }

@@ -1,12 +1,13 @@
 package org.dfra.drivers.gps;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.device.DeviceLine;
 import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.link.Heard;
 import org.dfra.drivers.link.LinkAddress;
@@ -18,9 +19,7 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.Described;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -51,7 +50,7 @@ import org.jspecify.annotations.Nullable;
  * @param <P> the receiver's protocol
  */
 public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImpl
-    implements GPSSensor, Described {
+    implements GPSSensor {
 
   /**
    * What the receiver last told; immutable.
@@ -60,18 +59,13 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
    * @param location the last position
    * @param time the time that came with it
    * @param utcDoubt why that time is not UTC for sure; null when it is
-   * @param positionNanos when that position came, by the ticker
    */
   private record Snapshot(
-      Solution solution,
-      LocationReading location,
-      TimeReading time,
-      @Nullable String utcDoubt,
-      long positionNanos) {}
+      Solution solution, LocationReading location, TimeReading time, @Nullable String utcDoubt) {}
 
   private final ReceiverKind kind;
   private final Pace pace;
-  private final Ticker ticker;
+  private final LatestReading<Snapshot> latest; // its age is that of the position
   private final P protocol;
   private final ReceiverDialogue dialogue;
   private final LinkKeeper keeper;
@@ -80,11 +74,9 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
   private final ReceiverAttributes attributes;
 
   // written by the reader, read by anyone
-  private volatile @Nullable Snapshot snapshot;
   private volatile @Nullable GpsReceiverAttributes receiver;
   private volatile List<SatelliteInView> satellites = List.of();
   private volatile StreamCounts counts = StreamCounts.ZERO;
-  private volatile String awaits = "it has not been started";
 
   private boolean toldMalformed; // confined to the reader
 
@@ -104,11 +96,18 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
       Function<ReceiverProtocol.Listener, P> protocol,
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
-    super(context, kind.description(), "DFRA", "1.0", List.of("GpsFix"), kind.preconditions());
+    super(
+        context,
+        kind.description(),
+        "DFRA",
+        "1.0",
+        List.of("GpsFix", "LocationReading", "TimeReading"),
+        kind.preconditions());
     LinkAddress address = LinkSettings.address(settings());
     this.kind = kind;
     this.pace = pace;
-    this.ticker = ticker;
+    this.latest =
+        new LatestReading<>("position", this, this::become, ticker::nanos, pace::longestAge);
     this.heard = new Heard(ticker);
     this.attributes = new ReceiverAttributes(kind.sensor());
     Reader reader = new Reader();
@@ -135,21 +134,11 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
             "what the receiver sees now",
             () -> ReceiverExamination.inWords(satellites));
     declared().show("accuracy", "what the receiver takes its error for, one sigma", this::accuracy);
-    declared().show("frames", "intact frames so far", () -> Long.toString(counts.frames()));
-    declared()
-        .show(
-            "dropped_bytes",
-            "bytes that belonged to no frame so far",
-            () -> Long.toString(counts.droppedBytes()));
-    declared()
-        .show(
-            "malformed_frames",
-            "intact frames with values that cannot be so far",
-            () -> Long.toString(counts.malformed()));
+    DeviceLine.showCounts(declared(), () -> counts);
   }
 
   private String accuracy() {
-    Snapshot last = snapshot;
+    Snapshot last = latest.peek();
     return last == null || Double.isNaN(last.solution().horizontalAccuracy())
         ? "not told"
         : String.format(
@@ -161,15 +150,14 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
 
   @Override
   protected void onStart() {
-    awaits = "its link is being opened";
+    latest.awaits("its link is being opened");
     keeper.start();
   }
 
   @Override
   protected void onClose() {
     keeper.close();
-    awaits = "it has ended";
-    snapshot = null;
+    latest.forget("it has ended");
   }
 
   /** {@inheritDoc} As wanted of the receiver now. */
@@ -186,7 +174,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
    */
   @Override
   public final GpsFix fix() {
-    return current().solution().fix();
+    return latest.get().solution().fix();
   }
 
   /**
@@ -196,7 +184,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
    */
   @Override
   public final LocationReading location() {
-    return current().location();
+    return latest.get().location();
   }
 
   /**
@@ -206,7 +194,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
    */
   @Override
   public final TimeReading time() {
-    Snapshot current = current();
+    Snapshot current = latest.get();
     String doubt = current.utcDoubt();
     if (doubt != null) {
       throw new NotReadyException(path(), readiness(), "the receiver has positions, but " + doubt);
@@ -216,14 +204,8 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
 
   /** {@inheritDoc} The location is one that the receiver was at not long ago. */
   @Override
-  public final List<Attributes> attributes() {
-    Snapshot current = readiness().serves() ? snapshot : null;
-    return attributes.all(
-        receiver(),
-        current == null ? null : current.location(),
-        frame(),
-        parentFrame(),
-        localTransform());
+  protected final List<? extends Attributes> traits() {
+    return attributes.all(receiver());
   }
 
   /** What the receiver is, as far as it has said. */
@@ -257,27 +239,6 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
     return examination;
   }
 
-  private Snapshot current() {
-    Snapshot current = snapshot;
-    Readiness readiness = readiness();
-    if (current == null || !readiness.serves()) {
-      throw new NotReadyException(path(), readiness, awaits);
-    }
-    Duration longestAge = pace.longestAge();
-    long age = ticker.nanos() - current.positionNanos();
-    if (age > longestAge.toNanos()) {
-      throw new NotReadyException(
-          path(),
-          readiness,
-          String.format(
-              Locale.ROOT,
-              "its last position is %.1f s old, and none older than %s is served",
-              age / 1e9,
-              ReceiverExamination.seconds(longestAge)));
-    }
-    return current;
-  }
-
   /** Takes what protocol and dialogue tell; on the reader thread. */
   private final class Reader implements ReceiverProtocol.Listener, ReceiverDialogue.Listener {
 
@@ -287,26 +248,18 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
       heard.count(ReceiverExamination.SOLUTION);
       Instant now = clock().instant();
       GpsFix fix = solution.fix();
-      Snapshot last = snapshot;
+      Snapshot last = latest.peek();
       if (fix.position() != null) {
-        snapshot =
-            new Snapshot(
-                solution,
-                new LocationReading(fix.position(), path(), fix.utc()),
-                new TimeReading(fix.utc(), now),
-                solution.utcDoubt(),
-                ticker.nanos());
-        if (readiness() == Readiness.INITIALIZING) {
-          become(Readiness.READY);
-        }
+        LocationReading location = new LocationReading(fix.position(), path(), fix.utc());
+        attributes.located(location);
+        latest.set(
+            new Snapshot(solution, location, new TimeReading(fix.utc(), now), solution.utcDoubt()));
         tell(fix);
       } else if (last != null) {
-        snapshot =
-            new Snapshot(
-                solution, last.location(), last.time(), last.utcDoubt(), last.positionNanos());
+        latest.amend(new Snapshot(solution, last.location(), last.time(), last.utcDoubt()));
         tell(fix);
       } else {
-        awaits = "the receiver has no position yet, it is " + solution.state();
+        latest.awaits("the receiver has no position yet, it is " + solution.state());
       }
     }
 
@@ -350,7 +303,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
     public void opened() {
       toldMalformed = false;
       satellites = List.of();
-      heard.count(ReceiverExamination.OPENING);
+      examination.opened();
     }
 
     @Override
@@ -360,11 +313,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
 
     @Override
     public void withoutPosition(String reason) {
-      awaits = reason;
-      if (readiness().serves()) {
-        become(Readiness.INITIALIZING, reason);
-      }
-      snapshot = null;
+      latest.lose(reason);
     }
   }
 }

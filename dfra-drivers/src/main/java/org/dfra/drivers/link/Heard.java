@@ -14,7 +14,7 @@ public final class Heard {
 
   private final Ticker ticker;
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition heard = lock.newCondition();
+  private final Condition heard;
   private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
 
   /**
@@ -22,6 +22,7 @@ public final class Heard {
    */
   public Heard(Ticker ticker) {
     this.ticker = ticker;
+    this.heard = ticker.newCondition(lock);
   }
 
   /** One more has come. */

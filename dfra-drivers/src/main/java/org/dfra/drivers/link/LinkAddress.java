@@ -3,10 +3,10 @@ package org.dfra.drivers.link;
 import java.io.IOException;
 
 /** Where a device is: a link's URL, read and checked. {@code toString} is the URL as written. */
-public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAddress {
+public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAddress, SimAddress {
 
   /**
-   * Reads a URL: {@code serial:}, {@code tcp:} or {@code replay:}.
+   * Reads a URL: {@code serial:}, {@code tcp:}, {@code replay:} or {@code sim:}.
    *
    * @throws IllegalArgumentException if it is not one; the message says what is wrong and what is
    *     allowed
@@ -17,6 +17,7 @@ public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAdd
       case "serial" -> SerialAddress.of(parts);
       case "tcp" -> TcpAddress.of(parts);
       case "replay" -> ReplayAddress.of(parts);
+      case "sim" -> SimAddress.of(parts);
       default ->
           throw parts.fault("the scheme \"" + parts.scheme() + "\" is unknown; " + LinkUrl.ALLOWED);
     };
@@ -35,7 +36,8 @@ public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAdd
   /**
    * Opens the link. Bytes that came before this call are thrown away where the link can tell.
    *
-   * @param ticker the time to wait by, where the link itself paces its bytes
+   * @param ticker the time to wait by, where the link itself paces its bytes; and whose {@code
+   *     sim:} links are meant
    * @throws IOException if it cannot be opened; the message says why and what to look at
    */
   SerialLink open(Ticker ticker) throws IOException;

@@ -32,7 +32,7 @@ public final class LinkKeeper implements AutoCloseable {
     SerialLink open() throws IOException;
   }
 
-  private static final Duration READ_TIMEOUT = Duration.ofMillis(100);
+  static final Duration READ_TIMEOUT = Duration.ofMillis(100);
   private static final Duration LONGEST_END = Duration.ofSeconds(5);
   private static final int BUFFER_BYTES = 4096;
 
@@ -44,7 +44,7 @@ public final class LinkKeeper implements AutoCloseable {
   private final Thread reader;
 
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition closing = lock.newCondition();
+  private final Condition closing;
   private boolean started; // guarded by lock
   private @Nullable SerialLink link; // guarded by lock
   private boolean hurried; // guarded by lock
@@ -70,8 +70,8 @@ public final class LinkKeeper implements AutoCloseable {
     this.backOff = backOff;
     this.ticker = ticker;
     this.log = log;
-    this.reader = new Thread(this::run, name + " reader");
-    this.reader.setDaemon(true);
+    this.closing = ticker.newCondition(lock);
+    this.reader = ticker.newThread(name + " reader", this::run);
   }
 
   /** Starts the reader and returns at once. */
@@ -132,13 +132,17 @@ public final class LinkKeeper implements AutoCloseable {
       lock.unlock();
     }
     reader.interrupt(); // it may be connecting
+    boolean ended = false;
     try {
-      reader.join(LONGEST_END.toMillis());
+      ended = ticker.join(reader, LONGEST_END);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    if (reader.isAlive()) {
-      log.warn("{} has not ended within {} s and is left behind", reader.getName(), LONGEST_END);
+    if (!ended) {
+      log.warn(
+          "{} has not ended within {} s and is left behind",
+          reader.getName(),
+          LONGEST_END.toSeconds());
     }
   }
 
@@ -177,7 +181,7 @@ public final class LinkKeeper implements AutoCloseable {
     user.opened(opened);
     byte[] buffer = new byte[BUFFER_BYTES];
     while (!closed) {
-      int count = opened.read(buffer, 0, buffer.length, READ_TIMEOUT);
+      int count = opened.read(buffer, 0, buffer.length, user.attention());
       if (count < 0) {
         return opened + ": the device is lost";
       }

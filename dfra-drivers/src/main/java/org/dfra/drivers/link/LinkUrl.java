@@ -12,7 +12,7 @@ import java.util.TreeSet;
 record LinkUrl(String url, String scheme, String target, Map<String, String> options) {
 
   static final String ALLOWED =
-      "write serial:/dev/ttyS0?baud=9600, tcp://host:port or replay:file?pace=1.0";
+      "write serial:/dev/ttyS0?baud=9600, tcp://host:port, replay:file?pace=1.0 or sim:name";
 
   static LinkUrl split(String url) {
     int colon = url.indexOf(':');

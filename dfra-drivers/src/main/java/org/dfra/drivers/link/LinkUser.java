@@ -1,6 +1,7 @@
 package org.dfra.drivers.link;
 
 import java.io.IOException;
+import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,6 +34,14 @@ public interface LinkUser {
    * @throws IOException if the link is lost
    */
   @Nullable String tend(SerialLink link) throws IOException;
+
+  /**
+   * The longest wait for bytes before {@link #tend} is called all the same: less than usual where
+   * something has to be sent in time. A link may round it up to its own resolution.
+   */
+  default Duration attention() {
+    return LinkKeeper.READ_TIMEOUT;
+  }
 
   /**
    * There is no link now; it will be opened again after a while.

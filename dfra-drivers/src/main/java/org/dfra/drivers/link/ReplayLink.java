@@ -17,7 +17,7 @@ final class ReplayLink implements SerialLink {
   private final long size;
 
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition closed = lock.newCondition();
+  private final Condition closed;
   // all guarded by lock
   private final RandomAccessFile file;
   private boolean open = true;
@@ -28,6 +28,7 @@ final class ReplayLink implements SerialLink {
   ReplayLink(ReplayAddress address, Ticker ticker) throws IOException {
     this.address = address;
     this.ticker = ticker;
+    this.closed = ticker.newCondition(lock);
     this.nanosPerByte =
         address.pace() == 0 ? 0 : BIT_NANOS_PER_BYTE / (address.baud() * address.pace());
     this.file = new RandomAccessFile(address.file().toFile(), "r");

@@ -31,6 +31,16 @@ public interface SerialLink extends AutoCloseable {
    */
   void write(byte[] bytes) throws IOException;
 
+  /**
+   * Sets the speed of this end of the line, for what is read and written from now on. The far end
+   * is not told. Does nothing where this end has no speed that it can set: a serial server on the
+   * network has its own, a recording has none.
+   *
+   * @param baud bits per second
+   * @throws IOException if the line cannot be that fast, or is lost
+   */
+  default void setBaud(int baud) throws IOException {}
+
   /** Whether the link is neither closed nor known to be lost. */
   boolean isOpen();
 

@@ -82,6 +82,14 @@ final class SerialPortLink implements SerialLink {
   }
 
   @Override
+  public void setBaud(int baud) throws IOException {
+    if (!open || !port.setBaudRate(baud)) {
+      throw new IOException(
+          address + ": the port cannot be set to " + baud + " baud, or is lost; try a lower rate");
+    }
+  }
+
+  @Override
   public boolean isOpen() {
     return open && port.isOpen();
   }

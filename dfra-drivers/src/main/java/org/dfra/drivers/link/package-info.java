@@ -5,6 +5,7 @@
  *   serial:/dev/ttyS0?baud=9600   a serial port of this computer
  *   tcp://host:port               a serial server on the network, or an emulator
  *   replay:file?pace=1.0          recorded bytes, at the pace of the line they came over
+ *   sim:name                      a simulated device in this virtual machine, in lock-step
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.link.LinkAddress}, which reads a URL and opens it as a {@link

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.locks.Condition;
+import org.dfra.drivers.fixture.ScriptedLink;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,7 +21,7 @@ class LinkAddressTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "ttyS0 | it begins with no scheme; write serial:/dev/ttyS0?baud=9600, tcp://host:port or",
+        "ttyS0 | it begins with no scheme; write serial:/dev/ttyS0?baud=9600, tcp://host:port, replay:",
         ":9000 | it begins with no scheme; write serial:",
         "udp://host:1 | the scheme \"udp\" is unknown; write serial:/dev/ttyS0?baud=9600, tcp://",
         "serial: | it names no port; write serial:/dev/ttyS0?baud=9600",
@@ -48,6 +50,8 @@ class LinkAddressTest {
         "replay:file?pace=NaN | pace is \"NaN\", which is not a number of 0.0 or more",
         "replay:file?pace=Infinity | pace is \"Infinity\", which is not a number of 0.0 or more",
         "replay:file?loop=yes | loop is \"yes\"; allowed are false, true",
+        "sim: | it names no simulated device; write sim:name",
+        "sim:gps?baud=9600 | the option baud is unknown; sim takes no options",
       })
   void refusesBadUrlSayingWhatIsAllowed(String url, String sentence) {
     assertThatThrownBy(() -> LinkAddress.parse(url))
@@ -75,6 +79,70 @@ class LinkAddressTest {
                 0,
                 115200,
                 true));
+  }
+
+  @Test
+  void opensASimulatedDeviceOfTheTimeItIsGiven() throws IOException {
+    SimLinks links = new SimLinks("none has been started");
+    Ticker time = timeWith(links);
+    LinkAddress address = LinkAddress.parse("sim:atrv1/gps");
+    assertThat(address).hasToString("sim:atrv1/gps");
+    assertThatThrownBy(() -> address.open(time))
+        .isInstanceOf(IOException.class)
+        .hasMessage("sim:atrv1/gps: there is no simulated device atrv1/gps; none has been started");
+    SimLinks.Port port = asked -> new ScriptedLink(asked.url());
+    links.add("atrv1/gps", port);
+    links.add("atrv1/laser", port);
+    assertThat(address.open(time)).hasToString("sim:atrv1/gps");
+    assertThatThrownBy(() -> links.add("atrv1/gps", port))
+        .hasMessage("there is a simulated device sim:atrv1/gps already; name this one otherwise");
+    assertThatThrownBy(() -> LinkAddress.parse("sim:gps").open(time))
+        .isInstanceOf(IOException.class)
+        .hasMessage(
+            "sim:gps: there is no simulated device gps; there are atrv1/gps, atrv1/laser: name one"
+                + " of them, or have the simulation start gps");
+    links.remove("atrv1/laser", asked -> new ScriptedLink("another"));
+    links.remove("atrv1/gps", port);
+    assertThatThrownBy(() -> address.open(time)).hasMessageContaining("; there are atrv1/laser:");
+  }
+
+  @Test
+  void refusesNamesThatNoUrlCanHave() {
+    SimLinks links = new SimLinks("none has been started");
+    for (String name : new String[] {"", " ", "gps?baud=9600"}) {
+      assertThatThrownBy(() -> links.add(name, asked -> new ScriptedLink(asked.url())))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageStartingWith("\"" + name + "\" cannot be the name of a simulated device");
+    }
+  }
+
+  @Test
+  void saysThatRealTimeHasNoSimulatedDevices() {
+    assertThatThrownBy(() -> LinkAddress.open("sim:gps"))
+        .isInstanceOf(IOException.class)
+        .hasMessage(
+            "sim:gps: there is no simulated device gps; this module lives by real time, and sim:"
+                + " links are of a simulation in lock-step only; write serial:, tcp: or replay:,"
+                + " or give the module the simulation's clock");
+  }
+
+  private static Ticker timeWith(SimLinks links) {
+    return new Ticker() {
+      @Override
+      public long nanos() {
+        return 0;
+      }
+
+      @Override
+      public void await(Condition condition, long nanos) {
+        throw new AssertionError("nobody waits here");
+      }
+
+      @Override
+      public SimLinks simLinks() {
+        return links;
+      }
+    };
   }
 
   @Test

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.awaitility.Awaitility;
+import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.slf4j.LoggerFactory;
 
-@Timeout(30)
+@Timeout(120)
 class LinkKeeperTest {
 
   private static final Duration FIRST = Duration.ofSeconds(1);
@@ -66,8 +66,9 @@ class LinkKeeperTest {
     awaitTries(1);
     for (int seconds : new int[] {1, 2, 4, 4, 4}) {
       int before = tries.get();
+      ticker.awaitWaiting();
       ticker.step(Duration.ofSeconds(seconds).minusNanos(1));
-      Awaitility.await()
+      Modules.await()
           .during(Duration.ofMillis(30))
           .until(() -> tries.get() == before); // a nanosecond is missing
       ticker.step(Duration.ofNanos(1));
@@ -81,15 +82,18 @@ class LinkKeeperTest {
     ScriptedLink link = new ScriptedLink("tcp://here:1");
     keeper.start();
     awaitTries(1);
+    ticker.awaitWaiting();
     ticker.step(FIRST);
     awaitTries(2);
     links.add(link);
+    ticker.awaitWaiting();
     ticker.step(Duration.ofSeconds(2));
     link.say("one".getBytes());
     link.say("two".getBytes());
-    Awaitility.await().until(() -> talk.heard.size() == 2);
+    Modules.await().until(() -> talk.heard.size() == 2);
     link.unplug();
-    Awaitility.await().until(() -> talk.reasons.size() == 3);
+    Modules.await().until(() -> talk.reasons.size() == 3);
+    ticker.awaitWaiting();
     ticker.step(FIRST); // the first wait again, since the device had answered
     awaitTries(4);
     assertThat(messages())
@@ -105,9 +109,9 @@ class LinkKeeperTest {
     ScriptedLink silent = new ScriptedLink("tcp://here:1");
     links.add(silent);
     keeper.start();
-    Awaitility.await().until(() -> talk.opened.size() == 1);
+    Modules.await().until(() -> talk.opened.size() == 1);
     talk.complaint = "no frame for 5 s";
-    Awaitility.await().until(() -> talk.reasons.contains("tcp://here:1: no frame for 5 s"));
+    Modules.await().until(() -> talk.reasons.contains("tcp://here:1: no frame for 5 s"));
     assertThat(silent.isOpen()).isFalse();
   }
 
@@ -120,10 +124,11 @@ class LinkKeeperTest {
     talk.throwOn = "boom";
     keeper.start();
     first.say("boom".getBytes());
-    Awaitility.await().until(() -> talk.reasons.size() == 1);
+    Modules.await().until(() -> talk.reasons.size() == 1);
+    ticker.awaitWaiting();
     ticker.step(FIRST);
     second.say("fine".getBytes());
-    Awaitility.await().until(() -> talk.heard.contains("fine"));
+    Modules.await().until(() -> talk.heard.contains("fine"));
   }
 
   @Test
@@ -152,8 +157,8 @@ class LinkKeeperTest {
   }
 
   private void awaitTries(int count) {
-    Awaitility.await().untilAsserted(() -> assertThat(tries).hasValue(count));
-    Awaitility.await().until(() -> talk.reasons.size() + talk.opened.size() >= count);
+    Modules.await().untilAsserted(() -> assertThat(tries).hasValue(count));
+    Modules.await().until(() -> talk.reasons.size() + talk.opened.size() >= count);
   }
 
   private List<String> messages() {

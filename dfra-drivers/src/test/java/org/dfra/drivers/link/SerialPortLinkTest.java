@@ -3,6 +3,7 @@ package org.dfra.drivers.link;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
@@ -11,7 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
-import org.awaitility.Awaitility;
+import org.dfra.drivers.fixture.Modules;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,10 +20,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Two pseudo-terminals, joined by socat: what goes into one comes out of the other. */
-@Timeout(30)
+@Timeout(120)
 class SerialPortLinkTest {
 
-  private static final Duration LONG = Duration.ofSeconds(10);
+  private static final Duration LONG = Duration.ofSeconds(40);
 
   @TempDir private Path folder;
   private Process socat;
@@ -39,7 +40,7 @@ class SerialPortLinkTest {
         new ProcessBuilder("socat", "pty,raw,echo=0,link=" + here, "pty,raw,echo=0,link=" + there)
             .inheritIO()
             .start();
-    Awaitility.await().until(() -> Files.exists(here) && Files.exists(there));
+    Modules.await().until(() -> Files.exists(here) && Files.exists(there));
   }
 
   @AfterEach
@@ -64,12 +65,28 @@ class SerialPortLinkTest {
   }
 
   @Test
+  void changesItsSpeedWhileItIsOpen() throws IOException {
+    try (SerialLink device = LinkAddress.open("serial:" + there)) {
+      SerialLink link = LinkAddress.open("serial:" + here + "?baud=9600");
+      link.setBaud(38_400);
+      link.write("poll".getBytes(US_ASCII)); // a pseudo-terminal has no speed, but must be sound
+      assertThat(readFour(device)).isEqualTo("poll");
+      device.write("fix!".getBytes(US_ASCII));
+      assertThat(readFour(link)).isEqualTo("fix!");
+      link.close();
+      assertThatThrownBy(() -> link.setBaud(9600))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("cannot be set to 9600 baud, or is lost");
+    }
+  }
+
+  @Test
   void closeFreesAWaitingReader() throws Exception {
     SerialLink link = LinkAddress.open("serial:" + here);
     CompletableFuture<Integer> read =
-        CompletableFuture.supplyAsync(() -> link.read(buffer, 0, 10, Duration.ofSeconds(20)));
+        CompletableFuture.supplyAsync(() -> link.read(buffer, 0, 10, Duration.ofHours(1)));
     link.close();
-    assertThat(read.get(5, SECONDS)).isEqualTo(-1);
+    assertThat(read.get(40, SECONDS)).isEqualTo(-1);
     assertThat(link.isOpen()).isFalse();
   }
 
@@ -78,7 +95,7 @@ class SerialPortLinkTest {
     try (SerialLink link = LinkAddress.open("serial:" + here)) {
       socat.destroy();
       socat.waitFor();
-      Awaitility.await()
+      Modules.await()
           .untilAsserted(
               () -> assertThat(link.read(buffer, 0, 10, Duration.ofMillis(100))).isEqualTo(-1));
     }

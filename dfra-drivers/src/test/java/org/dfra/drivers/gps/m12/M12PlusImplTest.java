@@ -2,80 +2,27 @@ package org.dfra.drivers.gps.m12;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.awaitility.Awaitility.await;
+import static org.dfra.drivers.fixture.Modules.await;
+import static org.dfra.drivers.fixture.Modules.parameter;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
-import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.LocalDateTime;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Random;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicInteger;
-import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Parameters;
-import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.fixture.Frames;
 import org.dfra.drivers.fixture.ScriptedLink;
-import org.dfra.drivers.fixture.StepTicker;
-import org.dfra.drivers.frame.StreamCounts;
-import org.dfra.drivers.link.SerialLink;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.slf4j.LoggerFactory;
 
-/** The driver alone: the test is the receiver and the time. */
-@Timeout(30)
-class M12PlusImplTest {
-
-  private static final String URL = "tcp://receiver:4001";
-  private static final LocalDateTime TIME = LocalDateTime.of(2026, 1, 21, 7, 33, 29);
-  private static final Instant HOST = Instant.parse("2026-01-21T07:33:29.400Z");
-  private static final byte[] FIX = Frames.ha(TIME, 52.91, 6.86, Frames.FIX_3D);
-  private static final byte[] NO_FIX = Frames.ha(TIME, 0, 0, Frames.ACQUIRING);
-
-  /** How many commands the driver sends when the link is open. */
-  private static final int ORDERS = 9;
-
-  private final StepTicker ticker = new StepTicker(false);
-  private final ConcurrentLinkedQueue<ScriptedLink> links = new ConcurrentLinkedQueue<>();
-  private final AtomicInteger opened = new AtomicInteger();
-  private final ListAppender<ILoggingEvent> told = new ListAppender<>();
-  private final Logger log = (Logger) LoggerFactory.getLogger("dfra.atrv1.gps_front");
-  private final ScriptedLink link = new ScriptedLink(URL);
-  private final M12PlusImpl gps = driver(Map.of("link", URL));
-
-  @BeforeEach
-  void listen() {
-    told.list = new CopyOnWriteArrayList<>();
-    told.start();
-    log.addAppender(told);
-    log.setAdditive(false);
-    links.add(link);
-  }
-
-  @AfterEach
-  void end() {
-    gps.close();
-    log.detachAppender(told);
-  }
+/** What the driver asks its receiver for, and what it makes of the answers. */
+class M12PlusImplTest extends ScriptedM12 {
 
   @Test
   void asksWhatItIsSetsItToASafeStateAndOrdersWhatItWants() {
@@ -238,109 +185,6 @@ class M12PlusImplTest {
   }
 
   @Test
-  void refusesAPositionThatIsTooOldEvenBeforeTheReaderNotices() {
-    gps.start();
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    ticker.step(Duration.ofSeconds(5)); // three periods and 2 s
-    assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
-    ticker.step(Duration.ofNanos(1));
-    assertThatThrownBy(gps::fix).isInstanceOf(NotReadyException.class);
-  }
-
-  @Test
-  void aSilentReceiverIsOpenedAnew() {
-    ScriptedLink second = new ScriptedLink(URL);
-    gps.start();
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    links.add(second);
-    ticker.step(Duration.ofSeconds(5).plusNanos(1));
-    awaitReadiness(Readiness.INITIALIZING);
-    await()
-        .untilAsserted(
-            () ->
-                assertRefuses(
-                    gps::fix,
-                    "atrv1/gps_front is INITIALIZING: " + URL + ": no position frame for 5 s"));
-    assertThat(link.isOpen()).isFalse();
-    ticker.step(Duration.ofMillis(500));
-    await().until(() -> second.written().size() == ORDERS); // told again what to send
-    second.say(FIX);
-    awaitReadiness(Readiness.READY);
-  }
-
-  @Test
-  void silenceIsMeasuredInPeriodsOfTheSetRate() {
-    ScriptedLink slow = new ScriptedLink(URL);
-    links.clear();
-    links.add(slow);
-    try (M12PlusImpl driver = driver(Map.of("link", URL, "rate", "10"))) {
-      assertThat(driver.updateRate()).isEqualTo(0.1);
-      driver.start();
-      slow.say(FIX);
-      await().until(() -> driver.readiness() == Readiness.READY);
-      assertThat(slow.written()).contains(M12Commands.positionOf12Channels(10));
-      ticker.step(Duration.ofSeconds(32));
-      assertThat(driver.fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
-      ticker.step(Duration.ofNanos(1));
-      await().until(() -> driver.readiness() == Readiness.INITIALIZING);
-    }
-  }
-
-  @Test
-  void aReceiverWithoutSatellitesKeepsItsLinkButNotItsReadiness() {
-    gps.start();
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    for (int second = 0; second < 5; second++) {
-      ticker.step(Duration.ofSeconds(1));
-      link.say(NO_FIX);
-      int frames = second + 2;
-      await().until(() -> gps.counts().frames() == frames);
-      assertThat(gps.readiness()).isEqualTo(Readiness.READY);
-    }
-    await().until(() -> gps.fix().mode() == GpsFix.Mode.NONE);
-    assertThat(gps.location().position().latitude()).isEqualTo(52.91); // still fresh enough
-    ticker.step(Duration.ofNanos(1));
-    awaitReadiness(Readiness.INITIALIZING);
-    await()
-        .untilAsserted(
-            () ->
-                assertRefuses(
-                    gps::location,
-                    "atrv1/gps_front is INITIALIZING: the receiver has no position, it is"
-                        + " acquiring satellites, 0 of 0 tracked"));
-    assertThat(link.isOpen()).isTrue();
-    assertThat(opened).hasValue(1);
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-  }
-
-  @Test
-  void anUnpluggedReceiverIsOpenedAgainWhenItIsBack() {
-    ScriptedLink second = new ScriptedLink(URL);
-    gps.start();
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    link.unplug();
-    awaitReadiness(Readiness.INITIALIZING);
-    for (int tries = 2; tries < 7; tries++) {
-      int expected = tries;
-      ticker.step(Duration.ofSeconds(8)); // the longest wait
-      await().until(() -> opened.get() >= expected);
-    }
-    links.add(second);
-    ticker.step(Duration.ofSeconds(8));
-    second.say(FIX);
-    awaitReadiness(Readiness.READY);
-    assertThat(warnings())
-        .containsExactly(
-            URL + ": the device is lost; trying again until it answers",
-            URL + ": refused; trying again until it answers");
-  }
-
-  @Test
   void asksAnEightChannelReceiverForWhatItHas() {
     gps.start();
     await().until(() -> link.written().size() == ORDERS);
@@ -387,65 +231,6 @@ class M12PlusImplTest {
     assertThat(gps.identification().description()).contains("M12+");
   }
 
-  @Test
-  void countsMalformedFramesAndReportsTheFirst() {
-    byte[] impossible = Frames.with(FIX, 15, 200 * 3_600_000, 4);
-    gps.start();
-    link.say(impossible);
-    link.say(impossible);
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    assertThat(gps.counts()).isEqualTo(new StreamCounts(3, 0, 2));
-    assertThat(warnings())
-        .singleElement()
-        .asString()
-        .startsWith("malformed @@Ha: latitude (mas) 720000000 is outside");
-  }
-
-  @Test
-  void aStormOfGarbageCostsNothingButItsBytes() {
-    long seed = new Random().nextLong();
-    Random random = new Random(seed);
-    gps.start();
-    long garbage = 0;
-    for (int i = 0; i < 200; i++) {
-      byte[] storm = new byte[1 + random.nextInt(4000)];
-      random.nextBytes(storm);
-      garbage += storm.length;
-      link.say(storm);
-    }
-    link.say(FIX);
-    link.say(FIX); // a false head in the last of the garbage may hold back the first
-    link.say(FIX);
-    await("seed " + seed).until(() -> gps.readiness() == Readiness.READY);
-    long dropped = garbage;
-    await("seed " + seed).until(() -> gps.counts().droppedBytes() == dropped);
-  }
-
-  @Test
-  void garbageIsNoSignOfLife() {
-    gps.start();
-    link.say(FIX);
-    awaitReadiness(Readiness.READY);
-    for (int second = 0; second < 6; second++) {
-      link.say(new byte[500]);
-      ticker.step(Duration.ofSeconds(1));
-    }
-    awaitReadiness(Readiness.INITIALIZING);
-    assertThat(link.isOpen()).isFalse();
-  }
-
-  @Test
-  void endsCompletelyAndAtOnceInEveryState() {
-    gps.start();
-    gps.close();
-    gps.close();
-    gps.start();
-    assertThat(gps.readiness()).isEqualTo(Readiness.STOPPED);
-    assertThat(Thread.getAllStackTraces().keySet())
-        .noneMatch(thread -> thread.getName().equals("gps_front reader"));
-  }
-
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -465,44 +250,5 @@ class M12PlusImplTest {
     assertThatThrownBy(() -> driver(texts))
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContaining("atrv1/gps_front: " + sentence);
-  }
-
-  private M12PlusImpl driver(Map<String, String> texts) {
-    ModuleContext context =
-        new ModuleContext(
-            "atrv1", "gps_front", Parameters.of("atrv1/gps_front", texts), () -> HOST);
-    return new M12PlusImpl(context, ticker, this::open);
-  }
-
-  private SerialLink open() throws IOException {
-    opened.incrementAndGet();
-    ScriptedLink next = links.poll();
-    if (next == null) {
-      throw new IOException(URL + ": refused");
-    }
-    return next;
-  }
-
-  private static String parameter(M12PlusImpl driver, String name) {
-    return driver.parameters().stream()
-        .filter(parameter -> parameter.name().equals(name))
-        .findFirst()
-        .orElseThrow()
-        .text();
-  }
-
-  private void awaitReadiness(Readiness expected) {
-    await().untilAsserted(() -> assertThat(gps.readiness()).isEqualTo(expected));
-  }
-
-  private List<String> warnings() {
-    return told.list.stream()
-        .filter(event -> event.getLevel().isGreaterOrEqual(Level.WARN))
-        .map(ILoggingEvent::getFormattedMessage)
-        .toList();
-  }
-
-  private static void assertRefuses(ThrowingCallable ask, String message) {
-    assertThatThrownBy(ask).isInstanceOf(NotReadyException.class).hasMessage(message);
   }
 }

@@ -2,17 +2,16 @@ package org.dfra.drivers.gps.nmea;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.awaitility.Awaitility.await;
+import static org.dfra.drivers.fixture.Modules.awaitReadiness;
+import static org.dfra.drivers.fixture.Modules.context;
+import static org.dfra.drivers.fixture.Modules.parameter;
 
-import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Map;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Parameters;
-import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.fixture.ScriptedLink;
+import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.Sentences;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.flow.sensor.GpsFix;
@@ -24,19 +23,20 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * The driver alone: the test is the receiver and the time. What it shares is in M12PlusImplTest.
+ * The driver alone: the test is the receiver and the time. What it shares is in M12PlusLinkTest.
  */
-@Timeout(30)
+@Timeout(120)
 class NmeaImplTest {
 
   private static final String URL = "tcp://receiver:4001";
+  private static final Instant HOST = Instant.parse("2026-11-21T12:00:00.5Z");
   private static final byte[] GGA =
       Sentences.with("GNGGA,120000,4807.038,N,01131.0,E,1,08,0.9,545.4,M,46.9,M,,");
   private static final byte[] RMC =
       Sentences.with("GNRMC,120000,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A");
 
   private final StepTicker ticker = new StepTicker(false);
-  private final ConcurrentLinkedQueue<ScriptedLink> links = new ConcurrentLinkedQueue<>();
+  private final ScriptedLinks links = new ScriptedLinks(URL);
   private final ScriptedLink link = new ScriptedLink(URL);
   private final NmeaImpl gps = driver(Map.of("link", URL, "period", "0.2"));
 
@@ -55,7 +55,7 @@ class NmeaImplTest {
   void servesFixesAndSendsNothing() {
     link.say(GGA);
     link.say(RMC);
-    await().until(() -> gps.readiness() == Readiness.READY);
+    awaitReadiness(gps, Readiness.READY);
     assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(gps.time().utc()).isEqualTo("2026-11-21T12:00:00Z");
     assertThat(gps.updateRate()).isEqualTo(5);
@@ -69,17 +69,18 @@ class NmeaImplTest {
     ScriptedLink second = new ScriptedLink(URL);
     link.say(GGA);
     link.say(RMC);
-    await().until(() -> gps.readiness() == Readiness.READY);
+    awaitReadiness(gps, Readiness.READY);
     links.add(second);
     ticker.step(Duration.ofMillis(2601));
-    await().until(() -> gps.readiness() == Readiness.INITIALIZING);
+    awaitReadiness(gps, Readiness.INITIALIZING);
     assertThatThrownBy(gps::fix)
         .isInstanceOf(NotReadyException.class)
         .hasMessageEndingWith("no position frame for 2.6 s");
+    ticker.awaitWaiting();
     ticker.step(Duration.ofMillis(500));
     second.say(GGA);
     second.say(RMC);
-    await().until(() -> gps.readiness() == Readiness.READY);
+    awaitReadiness(gps, Readiness.READY);
     assertThat(gps.history().failures()).isEqualTo(1);
   }
 
@@ -89,15 +90,9 @@ class NmeaImplTest {
     link.say(Sentences.with("GPGGA,25,,,,,1,,,,,,,,"));
     link.say(GGA);
     link.say(RMC);
-    await().until(() -> gps.readiness() == Readiness.READY);
+    awaitReadiness(gps, Readiness.READY);
     assertThat(gps.counts().droppedBytes()).isEqualTo(5);
-    assertThat(
-            gps.parameters().stream()
-                .filter(parameter -> parameter.name().equals("malformed_frames"))
-                .findFirst()
-                .orElseThrow()
-                .text())
-        .isEqualTo("1");
+    assertThat(parameter(gps, "malformed_frames")).isEqualTo("1");
   }
 
   @Test
@@ -108,21 +103,6 @@ class NmeaImplTest {
   }
 
   private NmeaImpl driver(Map<String, String> texts) {
-    ModuleContext context =
-        new ModuleContext(
-            "atrv1",
-            "gps",
-            Parameters.of("atrv1/gps", texts),
-            () -> Instant.parse("2026-11-21T12:00:00.5Z"));
-    return new NmeaImpl(
-        context,
-        ticker,
-        () -> {
-          ScriptedLink next = links.poll();
-          if (next == null) {
-            throw new IOException(URL + ": refused");
-          }
-          return next;
-        });
+    return new NmeaImpl(context("gps", texts, () -> HOST), ticker, links);
   }
 }

@@ -1,0 +1,250 @@
+package org.dfra.drivers.camera.mjpeg;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Part;
+import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.CameraImage;
+import org.dfra.flow.sensor.CameraImage.Band;
+import org.dfra.flow.sensor.CameraSensor;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.CameraAttributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A network camera that streams images over HTTP: in light as JPEG; of heat as PNG, grey with 16
+ * bits, hundredths of a kelvin.
+ *
+ * <p>Parameters:
+ *
+ * <ul>
+ *   <li>{@code link}: {@code tcp://host:port}; required. {@code reopen_first}, {@code
+ *       reopen_longest}: see {@link org.dfra.drivers.link.LinkSettings}
+ *   <li>{@code path}: of the stream at the camera; default {@code /}
+ *   <li>{@code user}, {@code password}: for cameras that ask for them, by basic authentication;
+ *       never shown, never logged
+ *   <li>{@code band}: {@code visible} or {@code thermal}; default visible
+ *   <li>{@code field_of_view}: from the left edge to the right, radians, 0.001 to 3.1; required;
+ *       can be set while it runs
+ *   <li>{@code frame_rate}: images per second, as the camera is set up, 0.1 to 120; default 10
+ *   <li>{@code idle_period}: seconds from one image to the next while there are no clients, 0 to
+ *       3600; default 10; in between it is not connected. 0: it streams all the time. Can be set
+ *       while it runs
+ *   <li>{@code largest_image}: bytes, 10 000 to 64 Mi; a larger one is dropped and counted; default
+ *       4 Mi
+ *   <li>{@code mount_frame} and so on: where the camera is; its frame looks along x. See {@link
+ *       org.dfra.core.module.DeviceImpl}
+ *   <li>to be read only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
+ * </ul>
+ *
+ * <p>An image is stamped with the camera's {@code X-Timestamp} (seconds since 1970) where it sends
+ * one that is within 10 s of this computer's time, else with the time when it has come.
+ *
+ * <p>INITIALIZING until the first image; again, with the reason in a sentence, when the link is
+ * lost, the camera answers with an error, ends the stream, or sends no image for 5 s. An image is
+ * served for 5 s, while it rests for the idle period longer.
+ *
+ * <p>Tests: {@code link}, {@code readings} (images come), {@code image} (the next one can be
+ * decoded and shows something). Recovery: {@code reopen_link}.
+ *
+ * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}.
+ */
+public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
+
+  private static final Duration OLDEST = Duration.ofSeconds(5);
+
+  /** A camera whose clock is farther off was never set, or tells the time since it was started. */
+  private static final Duration MOST_OFF = Duration.ofSeconds(10);
+
+  private static final List<Precondition> PRECONDITIONS =
+      List.of(new Precondition("temperature", -10, 50, "°C"));
+
+  private final MjpegSettings written;
+  private final LatestReading<CameraImage> latest;
+  private final DeviceLine line;
+
+  private volatile double fieldOfView;
+  private volatile double idlePeriod;
+  private volatile boolean hasClients;
+  private volatile @Nullable CameraAttributes can; // null: it has sent nothing yet
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public MjpegCameraImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  MjpegCameraImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(context, "network camera, MJPEG", "DFRA", "1.0", List.of("CameraImage"), PRECONDITIONS);
+    this.written = MjpegSettings.of(settings());
+    this.latest = new LatestReading<>("image", this, this::become, ticker::nanos, this::longestAge);
+    this.fieldOfView = written.fieldOfView();
+    this.idlePeriod = written.idlePeriod();
+    LinkKeeper.Source connecting = source == null ? () -> written.address().open(ticker) : source;
+    MjpegProtocol protocol = new MjpegProtocol(written, ticker, this::rest, new Camera());
+    this.line =
+        new DeviceLine(context, protocol, ticker, () -> RestingLink.open(connecting, ticker), log);
+    this.line.declareIn(examinations(), declared());
+    ImageExamination image = new ImageExamination(line, protocol, this::image);
+    examinations().test("image", image::look);
+    declareParameters();
+  }
+
+  private void declareParameters() {
+    declared().show("password", "never shown", () -> "");
+    declared()
+        .number(
+            "field_of_view",
+            "angle from the left edge to the right",
+            ParameterTable.Range.of(MjpegSettings.NARROWEST, MjpegSettings.WIDEST, "rad"),
+            () -> fieldOfView,
+            value -> fieldOfView = value);
+    declared()
+        .number(
+            "idle_period",
+            "time from one image to the next without clients, 0: it streams all the time",
+            ParameterTable.Range.of(0, MjpegSettings.LONGEST_IDLE, "s"),
+            () -> idlePeriod,
+            value -> idlePeriod = value);
+  }
+
+  /** Seconds from one image to the next now; 0 while it is to stream. */
+  private double rest() {
+    return hasClients ? 0 : idlePeriod;
+  }
+
+  @Override
+  protected void onStart() {
+    latest.awaits("its link is being opened");
+    line.start();
+  }
+
+  @Override
+  protected void onClose() {
+    line.close();
+    latest.forget("it has ended");
+  }
+
+  @Override
+  protected void onClients(int number) {
+    hasClients = number > 0; // the reader looks at it every 0.1 s
+  }
+
+  @Override
+  public double updateRate() {
+    double period = rest();
+    return period > 0 ? Math.min(1 / period, written.frameRate()) : written.frameRate();
+  }
+
+  @Override
+  public CameraImage image() {
+    return latest.get();
+  }
+
+  private Duration longestAge() {
+    return OLDEST.plusNanos(Math.round(idlePeriod * 1e9));
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    List<Attributes> all = new ArrayList<>();
+    double most = written.frameRate();
+    double least = idlePeriod > 0 ? Math.min(1 / idlePeriod, most) : most;
+    String condition =
+        written.band() == Band.VISIBLE ? "There is light." : "Nothing hot is close to the lens.";
+    all.add(
+        new SensorAttributes(
+            "CameraImage", List.of("stream"), least, most, null, List.of(condition)));
+    CameraAttributes known = can;
+    if (known != null) {
+      all.add(known);
+    }
+    return all;
+  }
+
+  /** What comes from the camera; on the reader's thread. */
+  private final class Camera implements MjpegProtocol.Listener {
+
+    @Override
+    public boolean took(Part part) {
+      ImageShape shape = part.shape();
+      boolean isThermal = written.band() == Band.THERMAL;
+      boolean isRight =
+          shape.mediaType().equals(written.mediaType())
+              && (!isThermal || (shape.isGrey() && shape.bits() == 16));
+      if (!isRight) {
+        latest.awaits(
+            "the camera sends "
+                + shape.mediaType()
+                + " of "
+                + shape.bits()
+                + " bits, but band "
+                + (isThermal
+                    ? "thermal is image/png, grey with 16 bits"
+                    : "visible is image/jpeg"));
+        log.debug("{}: {}", path(), latest.awaits());
+        return false;
+      }
+      serve(part);
+      return true;
+    }
+
+    private void serve(Part part) {
+      ImageShape shape = part.shape();
+      double angle = fieldOfView;
+      double focalLength = shape.width() / 2.0 / Math.tan(angle / 2);
+      CameraImage image =
+          new CameraImage(
+              taken(part),
+              frame(),
+              written.band(),
+              shape.width(),
+              shape.height(),
+              focalLength,
+              shape.mediaType(),
+              part.data());
+      can = new CameraAttributes(written.band(), shape.width(), shape.height(), angle);
+      latest.set(image);
+      line.alive();
+      line.heard().count(ImageExamination.IMAGE);
+      tell(image);
+    }
+
+    /** When it was taken: as the camera says, where its clock can be right; else by now. */
+    private Instant taken(Part part) {
+      Instant now = clock().instant();
+      return TimeStamp.of(part.head().header("x-timestamp"))
+          .filter(told -> Duration.between(told, now).abs().compareTo(MOST_OFF) <= 0)
+          .orElse(now);
+    }
+
+    @Override
+    public void refused(String reason) {
+      log.debug("{}: {}", path(), reason);
+      if (readiness() == Readiness.INITIALIZING) {
+        latest.awaits(reason);
+      }
+    }
+
+    @Override
+    public void lost(String reason) {
+      boolean isVague =
+          reason.endsWith("no image for 5 s") && readiness() == Readiness.INITIALIZING;
+      boolean isKnown = isVague && latest.awaits().startsWith("the camera sends");
+      latest.lose(isKnown ? latest.awaits() : reason);
+    }
+  }
+}

@@ -1,0 +1,334 @@
+package org.dfra.drivers.camera.mjpeg;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Ended;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Malformed;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Part;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Response;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.frame.StreamParser;
+
+/**
+ * Bytes in, images out.
+ *
+ * <pre>
+ *   HEAD --200, multipart--&gt; BETWEEN &lt;--------------------------------+
+ *    | anything else          | a line with the boundary              |
+ *    v                        v                                       |
+ *   DEAF &lt;--last boundary-- PART_HEAD --Content-Length--&gt; COUNTED ----+ so many bytes are there
+ *                             +----------without it-----&gt; UNCOUNTED --+ the next boundary is there
+ * </pre>
+ *
+ * <p>A part that is no whole image is dropped, and the next boundary looked for from its begin on,
+ * since its length may be what is wrong. Of a part without a length the end is known only when the
+ * next one begins, so such images come one late.
+ *
+ * <p>It holds no more bytes than those of the largest image allowed and of one head. Every byte is
+ * counted once: as an image's, as one of what stands around images, or as dropped.
+ */
+public final class MjpegParser implements StreamParser {
+
+  /** A response's head is not longer, bytes. */
+  static final int LONGEST_HEAD = 8 * 1024;
+
+  private static final int LONGEST_PART_HEAD = 4 * 1024;
+  private static final int LONGEST_DELIMITER = 160; // with blanks behind it
+  private static final byte[] HTTP = {'H', 'T', 'T', 'P', '/'};
+
+  private enum State {
+    HEAD,
+    BETWEEN,
+    PART_HEAD,
+    COUNTED,
+    UNCOUNTED,
+    DEAF
+  }
+
+  private final int largest;
+  private final Consumer<? super MjpegMessage> messages;
+  private final ByteQueue pending;
+
+  private State state = State.HEAD;
+  private byte[] delimiter = {};
+  private HttpHead partHead = HttpHead.ofPart(delimiter, 0, 0);
+  private int length; // of the part, where it is counted
+  private int searched; // bytes of the part without a delimiter, where it is not
+
+  private long parts;
+  private long malformed;
+  private long droppedBytes;
+  private long imageBytes;
+  private long structureBytes;
+
+  /**
+   * @param largest bytes of the largest image allowed
+   * @param messages is given every message, in order, during {@link #feed}
+   */
+  public MjpegParser(int largest, Consumer<? super MjpegMessage> messages) {
+    this.largest = largest;
+    this.messages = messages;
+    this.pending = new ByteQueue(largest + LONGEST_HEAD);
+  }
+
+  @Override
+  public void feed(byte[] bytes, int offset, int count) {
+    int from = offset;
+    int left = count;
+    while (left > 0) {
+      int part = pending.add(bytes, from, left);
+      from += part;
+      left -= part;
+      boolean goesOn = true;
+      while (goesOn) {
+        goesOn = step();
+      }
+      if (part == 0) { // cannot be: every state lets go of more than it may hold
+        throw new IllegalStateException(state + " holds " + pending.size() + " bytes");
+      }
+    }
+  }
+
+  @Override
+  public void finish() {
+    drop(pending.size());
+    state = State.HEAD;
+  }
+
+  @Override
+  public StreamCounts counts() {
+    return new StreamCounts(parts, droppedBytes, malformed);
+  }
+
+  /** Bytes of images. */
+  long imageBytes() {
+    return imageBytes;
+  }
+
+  /** Bytes of heads and boundaries. */
+  long structureBytes() {
+    return structureBytes;
+  }
+
+  /** Bytes fed that are not understood yet. */
+  int pendingBytes() {
+    return pending.size();
+  }
+
+  /** Bytes of memory that hold them. */
+  int capacity() {
+    return pending.capacity();
+  }
+
+  /** Whether there is something left to be understood. */
+  private boolean step() {
+    return switch (state) {
+      case HEAD -> head();
+      case BETWEEN -> between();
+      case PART_HEAD -> partHead();
+      case COUNTED -> counted();
+      case UNCOUNTED -> uncounted();
+      case DEAF -> {
+        drop(pending.size());
+        yield false;
+      }
+    };
+  }
+
+  private boolean head() {
+    int begun = Math.min(HTTP.length, pending.size());
+    byte[] bytes = pending.array();
+    int start = pending.start();
+    if (!Arrays.equals(bytes, start, start + begun, HTTP, 0, begun)) {
+      return end("what answers there speaks no HTTP");
+    }
+    int end = pending.endOfHead();
+    if ((end < 0 ? pending.end() : end) - start > LONGEST_HEAD) { // however it was cut
+      return end("its head has no end");
+    }
+    if (end < 0) {
+      return false;
+    }
+    Optional<HttpHead> head = HttpHead.ofResponse(bytes, start, end - start);
+    if (head.isEmpty()) {
+      return end("its status line is none of HTTP");
+    }
+    structure(end - start);
+    String boundary = head.get().boundary();
+    delimiter = ("--" + boundary).getBytes(StandardCharsets.ISO_8859_1);
+    state = head.get().status() == 200 && !boundary.isEmpty() ? State.BETWEEN : State.DEAF;
+    messages.accept(new Response(head.get()));
+    return true;
+  }
+
+  private boolean between() {
+    int found = pending.find(delimiter, pending.start());
+    if (found < 0) {
+      drop(Math.max(0, pending.size() - delimiter.length - 2)); // it may have begun
+      return false;
+    }
+    skipTo(found);
+    int after = pending.start() + delimiter.length;
+    int end = pending.endOfLine(after);
+    if (end < 0 && pending.end() - after < LONGEST_DELIMITER) {
+      return false;
+    }
+    String rest = end < 0 ? "?" : text(after, end).strip();
+    if (rest.equals("--")) {
+      structure(end - pending.start());
+      return end("the camera has ended its stream");
+    }
+    if (!rest.isEmpty()) { // another word that begins the same
+      drop(1);
+      return true;
+    }
+    structure(end - pending.start());
+    state = State.PART_HEAD;
+    return true;
+  }
+
+  /** Lets go of what is before a delimiter: ends of lines belong to it, anything else does not. */
+  private void skipTo(int found) {
+    byte[] bytes = pending.array();
+    int count = found - pending.start();
+    for (int i = pending.start(); i < found; i++) {
+      boolean isOfDelimiter = bytes[i] == '\r' || bytes[i] == '\n' || bytes[i] == '-';
+      structureBytes += isOfDelimiter ? 1 : 0;
+      droppedBytes += isOfDelimiter ? 0 : 1;
+    }
+    pending.skip(count);
+  }
+
+  private boolean partHead() {
+    int end = pending.endOfHead();
+    if ((end < 0 ? pending.end() : end) - pending.start() > LONGEST_PART_HEAD) {
+      return refuse("a part's head has no end");
+    }
+    if (end < 0) {
+      return false;
+    }
+    partHead = HttpHead.ofPart(pending.array(), pending.start(), end - pending.start());
+    structure(end - pending.start());
+    String told = partHead.header("content-length");
+    if (told.isEmpty()) {
+      searched = 0;
+      state = State.UNCOUNTED;
+      return true;
+    }
+    if (!told.matches("[0-9]{1,18}")) {
+      return refuse("a part's Content-Length is no number: " + told);
+    }
+    long count = Long.parseLong(told);
+    if (count > largest) {
+      return refuse("a part of " + count + " bytes is larger than " + largest);
+    }
+    length = (int) count;
+    state = State.COUNTED;
+    return true;
+  }
+
+  private boolean counted() {
+    if (pending.size() < length) {
+      return false;
+    }
+    Optional<Part> part = part(length);
+    if (part.isEmpty()) {
+      return refuse("a part is no whole image");
+    }
+    take(part.get());
+    return true;
+  }
+
+  private boolean uncounted() {
+    int from = pending.start() + Math.max(0, searched - delimiter.length - 3);
+    int found = pending.find(delimiter, from);
+    while (found >= 0 && !beginsLine(found)) {
+      found = pending.find(delimiter, found + 1);
+    }
+    int size = (found < 0 ? pending.end() : found) - pending.start();
+    if (size > largest) {
+      return refuse("a part without a Content-Length is larger than " + largest + " bytes");
+    }
+    if (found < 0) {
+      searched = size;
+      return false;
+    }
+    Optional<Part> part = part(withoutLineEnd(size));
+    if (part.isEmpty()) {
+      return refuse("a part is no whole image");
+    }
+    take(part.get());
+    return true;
+  }
+
+  /** Whether only hyphens are before it, which some cameras do not count to it. */
+  private boolean beginsLine(int at) {
+    int i = at;
+    while (i > pending.start() && at - i < 2 && pending.array()[i - 1] == '-') {
+      i--;
+    }
+    return i == pending.start() || pending.array()[i - 1] == '\n';
+  }
+
+  private int withoutLineEnd(int size) {
+    int end = pending.start() + size;
+    while (end > pending.start() && pending.array()[end - 1] == '-') {
+      end--;
+    }
+    if (end > pending.start() && pending.array()[end - 1] == '\n') {
+      end--;
+    }
+    if (end > pending.start() && pending.array()[end - 1] == '\r') {
+      end--;
+    }
+    return end - pending.start();
+  }
+
+  private Optional<Part> part(int size) {
+    int start = pending.start();
+    return ImageShape.of(pending.array(), start, size)
+        .map(
+            shape ->
+                new Part(
+                    partHead, shape, Arrays.copyOfRange(pending.array(), start, start + size)));
+  }
+
+  private void take(Part part) {
+    parts++;
+    imageBytes += part.data().length;
+    pending.skip(part.data().length);
+    state = State.BETWEEN;
+    messages.accept(part);
+  }
+
+  /** Gives the part up and looks for the next. */
+  private boolean refuse(String reason) {
+    parts++;
+    malformed++;
+    state = State.BETWEEN;
+    messages.accept(new Malformed(reason));
+    return true;
+  }
+
+  private boolean end(String reason) {
+    state = State.DEAF;
+    messages.accept(new Ended(reason));
+    return true;
+  }
+
+  private String text(int from, int to) {
+    return new String(pending.array(), from, to - from, StandardCharsets.ISO_8859_1);
+  }
+
+  private void structure(int count) {
+    structureBytes += count;
+    pending.skip(count);
+  }
+
+  private void drop(int count) {
+    droppedBytes += count;
+    pending.skip(count);
+  }
+}

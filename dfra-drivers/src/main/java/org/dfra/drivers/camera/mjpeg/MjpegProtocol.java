@@ -1,0 +1,142 @@
+package org.dfra.drivers.camera.mjpeg;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.function.DoubleSupplier;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Ended;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Malformed;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Part;
+import org.dfra.drivers.camera.mjpeg.MjpegMessage.Response;
+import org.dfra.drivers.device.DeviceProtocol;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.Ticker;
+
+/**
+ * What is said to the camera, and when.
+ *
+ * <pre>
+ *            opened: GET
+ *                v
+ *   +------&gt; STREAMING   takes images
+ *   |            v an image has come, and nobody is a client
+ *   |        RESTING     not connected
+ *   |            v a client has come, or the idle period is over: connected again, GET
+ *   +------------+
+ *
+ *   an error, an end, silence --&gt; the link is opened anew, by its back-off
+ * </pre>
+ *
+ * <p>Confined to the reader.
+ */
+final class MjpegProtocol implements DeviceProtocol {
+
+  /** What the driver is told; by the reader. */
+  interface Listener {
+
+    /** An image has come that the camera should send; whether it is one to be served. */
+    boolean took(Part part);
+
+    /** A part was none that the camera should send. */
+    void refused(String reason);
+
+    /** There is no camera now. */
+    void lost(String reason);
+  }
+
+  private static final Duration SILENCE = Duration.ofSeconds(5);
+
+  private final MjpegSettings settings;
+  private final Ticker ticker;
+  private final DoubleSupplier idlePeriod;
+  private final Listener listener;
+  private final MjpegParser parser;
+
+  private String trouble = ""; // why the stream must be opened anew; empty while all is well
+  private boolean hasSeen; // an image since it was connected
+  private volatile boolean rests; // also read by those who wait for an image
+  private volatile long connectedNanos;
+  private volatile long lifeNanos; // when the last image came, or the link was opened anew
+
+  /**
+   * @param idlePeriod seconds from one image to the next now; 0 while it is to stream
+   */
+  MjpegProtocol(
+      MjpegSettings settings, Ticker ticker, DoubleSupplier idlePeriod, Listener listener) {
+    this.settings = settings;
+    this.ticker = ticker;
+    this.idlePeriod = idlePeriod;
+    this.listener = listener;
+    this.parser = new MjpegParser(settings.largest(), this::heard);
+  }
+
+  @Override
+  public void opened(SerialLink link) throws IOException {
+    lifeNanos = ticker.nanos();
+    ask(link);
+  }
+
+  private void ask(SerialLink link) throws IOException {
+    trouble = "";
+    hasSeen = false;
+    rests = false;
+    connectedNanos = ticker.nanos();
+    link.write(settings.request());
+  }
+
+  @Override
+  public MjpegParser parser() {
+    return parser;
+  }
+
+  @Override
+  public void tend(SerialLink link) throws IOException {
+    if (!trouble.isEmpty()) {
+      throw new IOException(link + ": " + trouble);
+    }
+    double period = idlePeriod.getAsDouble();
+    RestingLink resting = (RestingLink) link;
+    if (resting.isResting()) {
+      if (ticker.nanos() - connectedNanos >= Math.round(period * 1e9)) {
+        resting.wake();
+        ask(link);
+      }
+    } else if (period > 0 && hasSeen) {
+      resting.rest();
+      rests = true;
+      parser.finish();
+    }
+  }
+
+  @Override
+  public Duration longestSilence() {
+    // Counted from the last image on, which was rightly long ago when it was connected again.
+    return rests
+        ? SILENCE.plusNanos(Math.round(idlePeriod.getAsDouble() * 1e9))
+        : SILENCE.plusNanos(Math.max(0, connectedNanos - lifeNanos));
+  }
+
+  @Override
+  public String expected() {
+    return "image";
+  }
+
+  @Override
+  public void lost(String reason) {
+    listener.lost(reason);
+  }
+
+  private void heard(MjpegMessage message) {
+    if (message instanceof Response response) {
+      trouble = HttpTrouble.of(response.head(), settings.path(), settings.user());
+    } else if (message instanceof Part part) {
+      if (listener.took(part)) {
+        hasSeen = true;
+        lifeNanos = ticker.nanos();
+      }
+    } else if (message instanceof Malformed malformed) {
+      listener.refused(malformed.reason());
+    } else if (message instanceof Ended ended && trouble.isEmpty()) {
+      trouble = ended.reason();
+    }
+  }
+}

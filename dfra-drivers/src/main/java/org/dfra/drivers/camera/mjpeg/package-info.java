@@ -1,0 +1,18 @@
+/**
+ * Network cameras that send one image after the other over HTTP, as {@code
+ * multipart/x-mixed-replace}: images in light as JPEG, of heat as PNG with 16 bits.
+ *
+ * <pre>
+ *   bytes --&gt; MjpegParser --MjpegMessage: Response, Part ...--&gt; MjpegProtocol --&gt; MjpegCameraImpl
+ *             HttpHead, ImageShape
+ *   RestingLink: the connection, closed while nobody wants images
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.drivers.camera.mjpeg.MjpegCameraImpl}. Sources: RFC 9110 and 9112
+ * (HTTP), RFC 2046 section 5.1 (multipart), RFC 7617 (basic authentication), ITU-T T.81 (JPEG), the
+ * PNG specification.
+ */
+@NullMarked
+package org.dfra.drivers.camera.mjpeg;
+
+import org.jspecify.annotations.NullMarked;

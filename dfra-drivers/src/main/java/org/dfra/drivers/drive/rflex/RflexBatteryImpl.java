@@ -1,0 +1,227 @@
+package org.dfra.drivers.drive.rflex;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.BatterySensor;
+import org.dfra.flow.sensor.BatteryState;
+import org.dfra.module.NotReadyException;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The battery of an ATRV-Jr, as its rFLEX controller measures it. It is in one group with the
+ * drive; see {@link RflexDriveImpl}.
+ *
+ * <p>Parameters, besides those of {@link RflexPort}, all of which can be set while it runs:
+ *
+ * <ul>
+ *   <li>{@code status_period}: seconds from one reading to the next, 0.2 to 60; default 1
+ *   <li>{@code voltage_offset}: volts at the battery above what the controller measures, −5 to 5;
+ *       default 1.2. Measure it once with a voltmeter
+ *   <li>{@code charge_curve}: what is left at which voltage, {@code volts:share volts:share ...};
+ *       default two lead-acid batteries of 12 V in a row, at rest
+ *   <li>{@code least_voltage}: volts, below which the test {@code voltage} fails; default 23
+ * </ul>
+ *
+ * <p>What remains is guessed from the voltage. It is too low while the motors draw current, which
+ * the controller does not measure.
+ *
+ * <p>INITIALIZING until the first status, and again when the link is lost. A reading is served for
+ * three periods and 2 s.
+ *
+ * <p>Tests: {@code link}, {@code readings}, {@code voltage}; recovery: {@code reopen_link}.
+ * Threads: it owns none.
+ */
+public final class RflexBatteryImpl extends SensorImpl implements BatterySensor {
+
+  private static final double SHORTEST = 0.2;
+  private static final double LONGEST = 60;
+
+  private final SensorAttributes sensor =
+      new SensorAttributes(
+          "BatteryState", List.of("continuous"), 1 / LONGEST, 1 / SHORTEST, null, List.of());
+
+  private final LatestReading<BatteryState> latest;
+  private final RflexPort port;
+
+  private volatile double period;
+  private volatile double offset;
+  private volatile double least;
+  private volatile ChargeCurve curve;
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public RflexBatteryImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  RflexBatteryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "battery of an ATRV-Jr, by an rFLEX controller",
+        "DFRA",
+        "1.0",
+        List.of("BatteryState"),
+        RflexDriveImpl.PRECONDITIONS);
+    this.latest =
+        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+    this.period = settings().number("status_period", 1, SHORTEST, LONGEST);
+    this.offset = settings().number("voltage_offset", 1.2, -5, 5);
+    this.least = settings().number("least_voltage", 23, 0, 60);
+    this.curve = curve();
+    this.port = new RflexPort(new Member(), context, ticker, source);
+    port.declareIn(examinations(), declared());
+    examinations()
+        .test(
+            "readings",
+            port.next(
+                RflexController.STATUS,
+                () -> new Finding(true, "the controller tells its status")));
+    examinations().test("voltage", port.next(RflexController.STATUS, this::voltage));
+    declare();
+  }
+
+  private ChargeCurve curve() {
+    return settings()
+        .find("charge_curve")
+        .map(
+            text -> {
+              try {
+                return ChargeCurve.parse(text);
+              } catch (IllegalArgumentException e) {
+                throw settings().fault("charge_curve", String.valueOf(e.getMessage()), e);
+              }
+            })
+        .orElse(ChargeCurve.LEAD_ACID_24);
+  }
+
+  private void declare() {
+    declared()
+        .number(
+            "status_period",
+            "from one reading to the next",
+            Range.of(SHORTEST, LONGEST, "s"),
+            () -> period,
+            value -> period = value);
+    declared()
+        .number(
+            "voltage_offset",
+            "at the battery above what the controller measures",
+            Range.of(-5, 5, "V"),
+            () -> offset,
+            value -> offset = value);
+    declared()
+        .number(
+            "least_voltage",
+            "below it the test of the voltage fails",
+            Range.of(0, 60, "V"),
+            () -> least,
+            value -> least = value);
+    declared()
+        .text(
+            "charge_curve",
+            "what is left at which voltage, volts:share",
+            () -> curve.toString(),
+            text -> curve = ChargeCurve.parse(text));
+  }
+
+  @Override
+  protected void onStart() {
+    latest.awaits("its link is being opened");
+    port.start();
+  }
+
+  @Override
+  protected void onClose() {
+    port.close();
+    latest.forget("it has ended");
+  }
+
+  @Override
+  public double updateRate() {
+    return 1 / period;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws NotReadyException if it was not told yet, or not for so long that it does not count any
+   *     more
+   */
+  @Override
+  public BatteryState battery() {
+    return latest.get();
+  }
+
+  private Duration longestAge() {
+    return Duration.ofMillis(Math.round(3000 * period) + 2000);
+  }
+
+  private Finding voltage() {
+    @Nullable BatteryState told = latest.peek();
+    if (told == null) {
+      return new Finding(false, "no voltage has been told yet");
+    }
+    double volts = told.voltage();
+    return volts >= least
+        ? new Finding(true, plain(volts) + " V")
+        : new Finding(
+            false, plain(volts) + " V, less than " + plain(least) + " V; charge the battery");
+  }
+
+  private static String plain(double volts) {
+    return String.format(Locale.ROOT, "%.2f", volts);
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    return List.of(sensor);
+  }
+
+  /** On the reader thread. */
+  private final class Member implements RflexMember {
+
+    @Override
+    public String path() {
+      return RflexBatteryImpl.this.path();
+    }
+
+    @Override
+    public Duration status() {
+      return Duration.ofMillis(Math.round(period * 1e3));
+    }
+
+    @Override
+    public void opened() {
+      latest.awaits("the link is open, its status has not been told yet");
+    }
+
+    @Override
+    public void heard(RflexMessage message) {
+      if (message instanceof SystemStatus status) {
+        double volts = Math.max(0, status.voltage() + offset);
+        BatteryState now =
+            new BatteryState(clock().instant(), volts, null, curve.remaining(volts), true);
+        latest.set(now);
+        tell(now);
+      }
+    }
+
+    @Override
+    public void lost(String reason) {
+      latest.lose(reason);
+    }
+  }
+}

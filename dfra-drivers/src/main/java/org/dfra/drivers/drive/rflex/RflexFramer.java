@@ -1,0 +1,65 @@
+package org.dfra.drivers.drive.rflex;
+
+import org.dfra.drivers.frame.FrameScanner;
+
+/**
+ * Finds the frames of an rFLEX controller: {@code 1B 02, port, id, opcode, length, data, checksum,
+ * 1B 03}. It goes by the length, since the controller's numbers may hold 1B as any other byte. The
+ * lengths of the frames that matter are known, so a damaged length does not make it wait.
+ */
+public final class RflexFramer extends FrameScanner {
+
+  static final int ESCAPE = 0x1B;
+  static final int START = 0x02;
+  static final int END = 0x03;
+
+  /** Bytes before the data. */
+  static final int HEAD = 6;
+
+  /** Bytes around the data. */
+  static final int AROUND = 9;
+
+  private static final int LONGEST_DATA = 255;
+
+  /** A framer at the beginning of a stream. */
+  public RflexFramer() {
+    super(LONGEST_DATA + AROUND);
+  }
+
+  @Override
+  protected int frameAt(byte[] bytes, int at, int end) {
+    int there = end - at;
+    if (bytes[at] != ESCAPE || (there > 1 && bytes[at + 1] != START)) {
+      return NONE;
+    }
+    if (there < HEAD) {
+      return NEEDS_MORE;
+    }
+    int port = bytes[at + 2] & 0xFF;
+    int data = bytes[at + 5] & 0xFF;
+    if (!RflexDecoder.mayBe(port, bytes[at + 4] & 0xFF, data)) {
+      return NONE;
+    }
+    int length = data + AROUND;
+    if (there < length) {
+      return NEEDS_MORE;
+    }
+    return isIntact(bytes, at, length) ? length : NONE;
+  }
+
+  private static boolean isIntact(byte[] bytes, int at, int length) {
+    int last = at + length - 1;
+    return bytes[last] == END
+        && bytes[last - 1] == ESCAPE
+        && (bytes[last - 2] & 0xFF) == checksum(bytes, at + 2, last - 2);
+  }
+
+  /** Exclusive or of the bytes {@code from} to before {@code to}. */
+  static int checksum(byte[] bytes, int from, int to) {
+    int sum = 0;
+    for (int i = from; i < to; i++) {
+      sum ^= bytes[i];
+    }
+    return sum & 0xFF;
+  }
+}

@@ -1,0 +1,201 @@
+package org.dfra.drivers.drive.rflex;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.flow.sensor.OdometrySensor;
+import org.dfra.module.NotReadyException;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How far the wheels of an ATRV-Jr have carried it, by its rFLEX controller. It is in one group
+ * with the drive; see {@link RflexDriveImpl}.
+ *
+ * <p>Parameters, besides those of {@link RflexPort}:
+ *
+ * <ul>
+ *   <li>{@code units_per_metre}, {@code units_per_radian}: as of {@link RflexDriveImpl}; write the
+ *       same
+ *   <li>{@code report_period}: seconds from one reading to the next, 0.02 to 0.3; default 0.1; can
+ *       be set while it runs
+ *   <li>to be read only: {@code restarts}, how often the controller began to count anew
+ * </ul>
+ *
+ * <p>The pose is that of {@code robot/base_link} in {@code robot/odom}, which stands where the
+ * robot was when this module was started. When the controller is switched off and on, or the link
+ * is lost, the pose goes on from where it was; {@link WheelCount} tells how that is noticed.
+ *
+ * <p>INITIALIZING until both axes were reported, and again when the link is lost. A reading is
+ * served for five periods, and half a second at least.
+ *
+ * <p>Tests: {@code link}, {@code readings}; recovery: {@code reopen_link}. Threads: it owns none.
+ */
+public final class RflexOdometryImpl extends SensorImpl implements OdometrySensor {
+
+  private static final double SHORTEST = 0.02;
+  private static final double LONGEST = 0.3;
+  private static final double USUAL = 0.1;
+
+  private final SensorAttributes sensor =
+      new SensorAttributes(
+          "Odometry", List.of("continuous"), 1 / LONGEST, 1 / SHORTEST, null, List.of());
+
+  private final String odom;
+  private final String base;
+  private final LatestReading<Odometry> latest;
+  private final RflexPort port;
+  private final WheelCount count; // confined to the reader
+
+  private volatile double period;
+  private volatile long restarts;
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public RflexOdometryImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  RflexOdometryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "odometry of an ATRV-Jr, by an rFLEX controller",
+        "DFRA",
+        "1.0",
+        List.of("Odometry"),
+        RflexDriveImpl.PRECONDITIONS);
+    this.odom = context.robot() + "/odom";
+    this.base = context.robot() + "/base_link";
+    this.latest =
+        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+    this.count =
+        new WheelCount(
+            RflexWheels.perMetre(settings()),
+            RflexWheels.perRadian(settings()),
+            RflexWheels.ATRV_JR.maxSpeed(),
+            RflexWheels.ATRV_JR.maxTurnRate());
+    this.period = settings().number("report_period", USUAL, SHORTEST, LONGEST);
+    this.port = new RflexPort(new Member(), context, ticker, source);
+    port.declareIn(examinations(), declared());
+    examinations()
+        .test(
+            "readings",
+            port.next(
+                RflexController.REPORT,
+                () -> new Finding(true, "the controller reports both axes")));
+    declared()
+        .number(
+            "report_period",
+            "from one reading to the next",
+            Range.of(SHORTEST, LONGEST, "s"),
+            () -> period,
+            value -> period = value);
+    declared()
+        .show(
+            "restarts",
+            "how often the controller began to count anew",
+            () -> Long.toString(restarts));
+  }
+
+  @Override
+  protected void onStart() {
+    latest.awaits("its link is being opened");
+    port.start();
+  }
+
+  @Override
+  protected void onClose() {
+    port.close();
+    latest.forget("it has ended");
+  }
+
+  @Override
+  public double updateRate() {
+    return 1 / period;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws NotReadyException if it was not told yet, or not for so long that it does not count any
+   *     more
+   */
+  @Override
+  public Odometry odometry() {
+    return latest.get();
+  }
+
+  private Duration longestAge() {
+    return Duration.ofMillis(Math.max(500, Math.round(5000 * period)));
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    return List.of(sensor);
+  }
+
+  /** On the reader thread. */
+  private final class Member implements RflexMember {
+
+    @Override
+    public String path() {
+      return RflexOdometryImpl.this.path();
+    }
+
+    @Override
+    public Duration reports() {
+      return Duration.ofNanos(Math.round(period * 1e6) * 1000);
+    }
+
+    @Override
+    public void opened() {
+      latest.awaits("the link is open, both axes have not been reported yet");
+      count.gap();
+    }
+
+    @Override
+    public void heard(RflexMessage message) {
+      if (message instanceof MotorReport report) {
+        boolean isNew = count.take(report);
+        if (restarts != count.restarts()) {
+          restarts = count.restarts();
+          log.info("{}: the controller counts anew; the pose goes on from where it was", path());
+        }
+        if (isNew) {
+          deliver();
+        }
+      }
+    }
+
+    private void deliver() {
+      Odometry now =
+          new Odometry(
+              clock().instant(),
+              odom,
+              base,
+              count.x(),
+              count.y(),
+              count.yaw(),
+              count.speed(),
+              count.turnRate());
+      latest.set(now);
+      tell(now);
+    }
+
+    @Override
+    public void lost(String reason) {
+      latest.lose(reason);
+    }
+  }
+}

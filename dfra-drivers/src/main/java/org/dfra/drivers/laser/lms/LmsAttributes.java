@@ -1,0 +1,38 @@
+package org.dfra.drivers.laser.lms;
+
+import org.dfra.persona.Attributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the laser says of itself.
+ *
+ * @param type its type and version, such as {@code LMS200;30106;V02.30}; null until it has told
+ * @param software version of its software; null until it has told
+ * @param baud bits per second of its line; null while not known
+ * @param measuringMode code of its measuring mode; null while not known
+ * @param windowClean the dirtiest channel of its window, per cent of a clean one; null while not
+ *     known
+ */
+public record LmsAttributes(
+    @Nullable String type,
+    @Nullable String software,
+    @Nullable Integer baud,
+    @Nullable Integer measuringMode,
+    @Nullable Integer windowClean)
+    implements Attributes {
+
+  static final LmsAttributes UNKNOWN = new LmsAttributes(null, null, null, null, null);
+
+  LmsAttributes withType(String told) {
+    return new LmsAttributes(told, software, baud, measuringMode, windowClean);
+  }
+
+  LmsAttributes with(LmsStatus told) {
+    return new LmsAttributes(
+        type,
+        told.software(),
+        told.baud().map(LmsBaud::rate).orElse(null),
+        told.modeCode(),
+        told.pollution().stream().min(Integer::compare).orElse(null));
+  }
+}

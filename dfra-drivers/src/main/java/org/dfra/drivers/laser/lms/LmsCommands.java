@@ -1,0 +1,110 @@
+package org.dfra.drivers.laser.lms;
+
+import java.nio.charset.StandardCharsets;
+
+/** The telegrams that the laser is sent. */
+public final class LmsCommands {
+
+  private static final int LASER = 0x00;
+  private static final String PASSWORD = "SICK_LMS";
+
+  private LmsCommands() {}
+
+  /** Resets it, as if it had been switched off and on; {@code 91} answers, later {@code 90}. */
+  public static byte[] reset() {
+    return telegram(0x10);
+  }
+
+  /** Has it send every scan that the line has room for; {@code A0} answers. */
+  public static byte[] stream() {
+    return telegram(0x20, 0x24);
+  }
+
+  /** Has it send scans only when asked; {@code A0} answers. */
+  public static byte[] stop() {
+    return telegram(0x20, 0x25);
+  }
+
+  /** Sets the speed of its line; {@code A0} answers, still at the old one. */
+  public static byte[] baud(LmsBaud baud) {
+    return telegram(0x20, baud.mode());
+  }
+
+  /** Lets its configuration be changed, until its mode is set otherwise; {@code A0} answers. */
+  public static byte[] installation() {
+    byte[] password = PASSWORD.getBytes(StandardCharsets.US_ASCII);
+    int[] payload = new int[2 + password.length];
+    payload[0] = 0x20;
+    for (int i = 0; i < password.length; i++) {
+      payload[2 + i] = password[i];
+    }
+    return telegram(payload);
+  }
+
+  /** Asks for one scan; {@code B0} answers. */
+  public static byte[] scan() {
+    return telegram(0x30, 0x01);
+  }
+
+  /** Asks how it is; {@code B1} answers. */
+  public static byte[] status() {
+    return telegram(0x31);
+  }
+
+  /** Asks for the errors that it remembers; {@code B2} answers. */
+  public static byte[] errors() {
+    return telegram(0x32);
+  }
+
+  /** Asks what it is; {@code BA} answers. */
+  public static byte[] type() {
+    return telegram(0x3A);
+  }
+
+  /** Sets where its beams are, until it is switched off; {@code BB} answers. */
+  public static byte[] variant(LmsVariant variant) {
+    return telegram(
+        0x3B,
+        variant.degrees() & 0xFF,
+        variant.degrees() >> 8,
+        variant.hundredths() & 0xFF,
+        variant.hundredths() >> 8);
+  }
+
+  /** Asks for its configuration; {@code F4} answers. */
+  public static byte[] configuration() {
+    return telegram(0x74);
+  }
+
+  /** Writes its configuration to its flash, in installation mode only; {@code F7} answers. */
+  public static byte[] configure(LmsConfiguration configuration) {
+    byte[] bytes = configuration.bytes();
+    int[] payload = new int[1 + bytes.length];
+    payload[0] = 0x77;
+    for (int i = 0; i < bytes.length; i++) {
+      payload[1 + i] = bytes[i];
+    }
+    return telegram(payload);
+  }
+
+  private static byte[] telegram(int... payload) {
+    return telegram(LASER, payload);
+  }
+
+  /** A whole telegram, check included. */
+  static byte[] telegram(int address, int[] payload) {
+    int crcAt = LmsFramer.HEAD + payload.length;
+    byte[] bytes = new byte[crcAt + LmsFramer.TAIL];
+    bytes[0] = LmsFramer.STX;
+    bytes[1] = (byte) address;
+    bytes[2] = (byte) payload.length;
+    bytes[3] = (byte) (payload.length >> 8);
+    for (int i = 0; i < payload.length; i++) {
+      bytes[LmsFramer.HEAD + i] = (byte) payload[i];
+    }
+    int crc = LmsCrc.of(bytes, 0, crcAt);
+    bytes[crcAt] = (byte) crc;
+    bytes[crcAt + 1] = (byte) (crc >> 8);
+    return bytes;
+  }
+}

@@ -1,0 +1,82 @@
+package org.dfra.drivers.laser.lms;
+
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.Optional;
+
+/**
+ * The laser's configuration, which it keeps in its flash memory. Only two of its bytes are of
+ * interest here; the others, which are about its switching outputs, are written back as they are.
+ */
+public final class LmsConfiguration {
+
+  /** Bytes that every laser has. */
+  static final int SHORTEST = 8;
+
+  /** Bytes that the longest one has. */
+  static final int LONGEST = 40;
+
+  private static final int MODE_AT = 5;
+  private static final int UNIT_AT = 6;
+
+  private final byte[] bytes;
+
+  /**
+   * @param bytes as the laser tells them, {@value #SHORTEST} to {@value #LONGEST}
+   */
+  LmsConfiguration(byte[] bytes) {
+    this.bytes = bytes.clone();
+  }
+
+  /** The bytes, as the laser tells and takes them. */
+  byte[] bytes() {
+    return bytes.clone();
+  }
+
+  /** What of its samples is the distance; empty for a mode that nobody knows. */
+  public Optional<MeasuringMode> mode() {
+    return MeasuringMode.of(modeCode());
+  }
+
+  /** The code of its measuring mode, 0 to 255. */
+  public int modeCode() {
+    return bytes[MODE_AT] & 0xFF;
+  }
+
+  /** What it counts distances in; empty for a unit that nobody knows. */
+  public Optional<LmsUnit> unit() {
+    int code = bytes[UNIT_AT] & 0xFF;
+    return code < LmsUnit.values().length ? Optional.of(LmsUnit.values()[code]) : Optional.empty();
+  }
+
+  /** The same with another measuring mode. */
+  LmsConfiguration with(MeasuringMode mode) {
+    return with(MODE_AT, mode.code());
+  }
+
+  /** The same with another unit. */
+  LmsConfiguration with(LmsUnit unit) {
+    return with(UNIT_AT, unit.ordinal());
+  }
+
+  private LmsConfiguration with(int at, int value) {
+    LmsConfiguration changed = new LmsConfiguration(bytes);
+    changed.bytes[at] = (byte) value;
+    return changed;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof LmsConfiguration that && Arrays.equals(bytes, that.bytes);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(bytes);
+  }
+
+  @Override
+  public String toString() {
+    return "LmsConfiguration[" + HexFormat.of().formatHex(bytes) + "]";
+  }
+}

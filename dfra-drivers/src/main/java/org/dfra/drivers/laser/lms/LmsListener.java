@@ -1,0 +1,35 @@
+package org.dfra.drivers.laser.lms;
+
+/** Is told what the laser says; on the reader thread. */
+interface LmsListener {
+
+  /** Something intact has come, or {@link LmsProtocol#PREPARED}; for those who wait for it. */
+  void heard(String name);
+
+  /**
+   * A scan that is understood.
+   *
+   * @param mode what of its samples is the distance
+   * @param variant where its beams are
+   * @param baud bits per second of the line that it came over
+   */
+  void scanned(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud);
+
+  /** Every intact telegram. */
+  void told(LmsMessage.Telegram telegram);
+
+  /** An intact telegram that cannot be believed. */
+  void malformed(String name, String reason);
+
+  /** Something that a person should know, a sentence. */
+  void warned(String sentence);
+
+  /** There are no scans now, for this reason, a clause. */
+  void withoutScans(String reason);
+
+  /** The laser answers, but no scan has come yet: what is awaited, a clause. */
+  void awaits(String what);
+
+  /** Whether no scans are wanted now. */
+  boolean rests();
+}

@@ -1,0 +1,170 @@
+package org.dfra.drivers.laser.lms;
+
+import java.util.List;
+import java.util.Locale;
+
+/** What the laser said, decoded from one intact frame. */
+public sealed interface LmsMessage {
+
+  /** What it is, for people and for those who wait for it: a reply's command in hex, or NAK. */
+  String name();
+
+  /** A telegram, which ends with the laser's status. */
+  sealed interface Telegram extends LmsMessage permits LmsScan, LmsStatus, Reply {
+
+    /** How the laser is. */
+    StatusByte status();
+  }
+
+  /** A telegram that answers a command, or tells that the laser wakes. */
+  sealed interface Reply extends Telegram {}
+
+  /** {@code 15}: the laser could not read the telegram that it was sent. */
+  record Nak() implements LmsMessage {
+
+    @Override
+    public String name() {
+      return "NAK";
+    }
+  }
+
+  /** {@code 90}: it is ready, at 9600 baud, after power-on or reset; {@code BA}: what it is. */
+  record Type(boolean wakes, String type, StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return wakes ? "90" : "BA";
+    }
+  }
+
+  /** {@code 91}: it resets itself now. */
+  record Resets(StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return "91";
+    }
+  }
+
+  /** {@code 92}: it does not know the command, or must not obey it now. */
+  record Refused(StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return "92";
+    }
+  }
+
+  /**
+   * {@code A0}: what became of a change of its operating mode.
+   *
+   * @param result 0 done, 1 the password is wrong, 2 the laser has a fault
+   */
+  record ModeSet(int result, StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return "A0";
+    }
+
+    /** Whether it is in that mode now. */
+    public boolean isDone() {
+      return result == 0;
+    }
+  }
+
+  /**
+   * {@code BB}: what became of a change of variant.
+   *
+   * @param isDone whether it was changed
+   * @param variant the one it has now
+   */
+  record VariantSet(boolean isDone, LmsVariant variant, StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return "BB";
+    }
+  }
+
+  /** {@code F4}: its configuration. */
+  record Configured(LmsConfiguration configuration, StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return "F4";
+    }
+  }
+
+  /**
+   * {@code F7}: what became of a change of its configuration.
+   *
+   * @param isDone whether it was changed
+   * @param configuration the one it has now
+   */
+  record ConfigurationSet(boolean isDone, LmsConfiguration configuration, StatusByte status)
+      implements Reply {
+
+    @Override
+    public String name() {
+      return "F7";
+    }
+  }
+
+  /** {@code B2}: the errors that it remembers. */
+  record Errors(List<LmsError> errors, StatusByte status) implements Reply {
+
+    public Errors {
+      errors = List.copyOf(errors);
+    }
+
+    @Override
+    public String name() {
+      return "B2";
+    }
+  }
+
+  /**
+   * An error that the laser remembers.
+   *
+   * @param type as the lower bits of a {@link StatusByte}; bit 7 where it is over
+   * @param number which one, by the telegram listing
+   */
+  record LmsError(int type, int number) {
+
+    /** Whether it still holds. */
+    public boolean isPresent() {
+      return (type & 0x80) == 0;
+    }
+
+    /** {@code error 21 (WARNING)}. */
+    public String inWords() {
+      return "error "
+          + number
+          + " ("
+          + new StatusByte(type & 7).severity()
+          + (isPresent() ? ")" : ", over)");
+    }
+  }
+
+  /**
+   * An intact telegram of another kind.
+   *
+   * @param command its first byte, 80 to FF hex
+   */
+  record Other(int command, StatusByte status) implements Reply {
+
+    @Override
+    public String name() {
+      return String.format(Locale.ROOT, "%02X", command);
+    }
+  }
+
+  /**
+   * An intact telegram whose content cannot be.
+   *
+   * @param name as of the right one
+   * @param reason which value, what it is and what it may be
+   */
+  record Malformed(String name, String reason) implements LmsMessage {}
+}

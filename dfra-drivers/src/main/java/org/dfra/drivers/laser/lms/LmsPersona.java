@@ -1,0 +1,72 @@
+package org.dfra.drivers.laser.lms;
+
+import java.util.List;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.RangeAttributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/** What the laser says of itself to those who look for one. Told by the reader, asked by anyone. */
+final class LmsPersona {
+
+  /** Watts, without heating; technical description of the LMS 200. */
+  private static final double POWER = 20;
+
+  private static final SensorAttributes SENSOR =
+      new SensorAttributes(
+          "RangeScan",
+          List.of("continuous", "polled"),
+          1.0 / 60,
+          LmsVariant.TURNS_PER_SECOND,
+          POWER,
+          List.of("Its front window is clean.", "No sun and no other laser shines into it."));
+
+  private final LmsOrders orders;
+  private volatile LmsAttributes laser = LmsAttributes.UNKNOWN;
+  private volatile @Nullable RangeAttributes sight;
+
+  LmsPersona(LmsOrders orders) {
+    this.orders = orders;
+  }
+
+  /** All of it: what it sees is what is wanted until the first scan shows what it is. */
+  List<Attributes> all() {
+    @Nullable RangeAttributes seen = sight;
+    RangeAttributes range =
+        seen != null
+            ? seen
+            : sight(
+                orders.measuringMode().orElse(MeasuringMode.DEFAULT),
+                orders.unit().orElse(LmsUnit.CM),
+                orders.variant());
+    return List.of(SENSOR, range, laser);
+  }
+
+  /** Bits per second of the line, as told, or as wanted. */
+  int baud() {
+    Integer told = laser.baud();
+    return told == null ? orders.baud().orElse(LmsBaud.B9600).rate() : told;
+  }
+
+  /** Takes what the laser told. */
+  void told(LmsMessage.Telegram telegram) {
+    if (telegram instanceof LmsStatus status) {
+      laser = laser.with(status);
+    } else if (telegram instanceof LmsMessage.Type type) {
+      laser = laser.withType(type.type());
+    }
+  }
+
+  /** A scan has shown how it sees. */
+  void sees(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
+    RangeAttributes now = sight(mode, unit, variant);
+    if (!now.equals(sight)) {
+      sight = now;
+    }
+  }
+
+  private static RangeAttributes sight(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
+    return new RangeAttributes(
+        0, mode.longest(unit), variant.field(), variant.step(), unit.accuracy());
+  }
+}

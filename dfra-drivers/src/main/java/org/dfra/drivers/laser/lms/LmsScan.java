@@ -1,0 +1,68 @@
+package org.dfra.drivers.laser.lms;
+
+import java.util.Arrays;
+
+/**
+ * {@code B0}: a scan, its samples from right to left. What of a sample is the distance depends on
+ * the laser's measuring mode, which a scan does not tell.
+ *
+ * @param unit what distances are counted in
+ * @param samples 0 to 65 535 each; copied in and out
+ * @param index the laser's counter of scans, 0 to 255; −1 where it does not send one
+ * @param status how the laser is
+ */
+public record LmsScan(
+    LmsUnit unit,
+    @SuppressWarnings("ArrayRecordComponent") int[] samples,
+    int index,
+    StatusByte status)
+    implements LmsMessage.Telegram {
+
+  public LmsScan {
+    samples = samples.clone();
+  }
+
+  @Override
+  public String name() {
+    return "B0";
+  }
+
+  @Override
+  public int[] samples() {
+    return samples.clone();
+  }
+
+  /** How many beams. */
+  public int beams() {
+    return samples.length;
+  }
+
+  /** Distances in metres, or what stands for none; see {@link MeasuringMode#range}. */
+  public float[] ranges(MeasuringMode mode) {
+    float[] ranges = new float[samples.length];
+    for (int i = 0; i < ranges.length; i++) {
+      ranges[i] = mode.range(samples[i], unit);
+    }
+    return ranges;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof LmsScan that
+        && unit == that.unit
+        && index == that.index
+        && status.equals(that.status)
+        && Arrays.equals(samples, that.samples);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(samples) + index;
+  }
+
+  /** In a line: the samples are counted, not listed. */
+  @Override
+  public String toString() {
+    return "LmsScan[" + samples.length + " beams in " + unit + ", index=" + index + ", " + status;
+  }
+}

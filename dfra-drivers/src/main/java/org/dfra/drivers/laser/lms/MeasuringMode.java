@@ -1,0 +1,62 @@
+package org.dfra.drivers.laser.lms;
+
+import java.util.Optional;
+
+/**
+ * What the sixteen bits of a sample are: the lowest are the distance, the others say in which field
+ * or how bright something is. Which of the two is not told here; the number of bits is.
+ *
+ * @param code as in the laser's configuration: 0 to 6, or 15
+ * @param bits of the distance, 13 to 16
+ */
+public record MeasuringMode(int code, int bits) {
+
+  /** Of a laser as it is sold. */
+  static final MeasuringMode DEFAULT = new MeasuringMode(0, 13);
+
+  /** The greatest distance that the laser is made for, metres. */
+  private static final double FARTHEST = 80;
+
+  /** Values from the top of the field down that are no distances. */
+  private static final int RESERVED = 8;
+
+  /** The mode of this code; empty where the telegram listing has none. */
+  public static Optional<MeasuringMode> of(int code) {
+    return switch (code) {
+      case 0, 1, 2 -> Optional.of(new MeasuringMode(code, 13));
+      case 3, 4 -> Optional.of(new MeasuringMode(code, 14));
+      case 5, 6 -> Optional.of(new MeasuringMode(code, 15));
+      case 15 -> Optional.of(new MeasuringMode(code, 16));
+      default -> Optional.empty();
+    };
+  }
+
+  /** The greatest value of the field. */
+  public int top() {
+    return (1 << bits) - 1;
+  }
+
+  /** The longest distance that can be told in this unit, metres. */
+  public double longest(LmsUnit unit) {
+    return Math.min(FARTHEST, (top() - RESERVED - 1) * unit.metres());
+  }
+
+  /**
+   * The distance of a sample in metres; +∞ where the laser says that it is over its range, NaN
+   * where it says that it could not measure (dazzled, too weak a signal, a channel's error,
+   * invalid).
+   */
+  public float range(int sample, LmsUnit unit) {
+    int value = sample & top();
+    int fromTop = top() - value;
+    if (fromTop > RESERVED) {
+      return (float) (value * unit.metres());
+    }
+    return fromTop == RESERVED ? Float.POSITIVE_INFINITY : Float.NaN;
+  }
+
+  /** {@code mode 0, 13 bits}. */
+  public String inWords() {
+    return "mode " + code + ", " + bits + " bits";
+  }
+}

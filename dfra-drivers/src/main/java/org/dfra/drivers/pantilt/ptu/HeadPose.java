@@ -1,0 +1,33 @@
+package org.dfra.drivers.pantilt.ptu;
+
+import org.dfra.geometry.Transform;
+
+/** Where a head stands that is panned and tilted. */
+final class HeadPose {
+
+  private HeadPose() {}
+
+  /**
+   * The mount, then pan about the z axis of that, then tilt about the y axis of that: takes
+   * coordinates in the head's frame to coordinates in the frame that the unit is mounted in.
+   *
+   * @param mount where the axes meet, and how the head is turned at 0, 0
+   * @param pan radians, to the left is +
+   * @param tilt radians, up is +
+   */
+  static Transform of(Transform mount, double pan, double tilt) {
+    Transform turn = Transform.of(0, 0, 0, 0, -tilt, pan); // pitch is + nose down
+    double w = mount.qw();
+    double x = mount.qx();
+    double y = mount.qy();
+    double z = mount.qz();
+    return new Transform(
+        mount.x(),
+        mount.y(),
+        mount.z(),
+        w * turn.qw() - x * turn.qx() - y * turn.qy() - z * turn.qz(),
+        w * turn.qx() + x * turn.qw() + y * turn.qz() - z * turn.qy(),
+        w * turn.qy() - x * turn.qz() + y * turn.qw() + z * turn.qx(),
+        w * turn.qz() + x * turn.qy() - y * turn.qx() + z * turn.qw());
+  }
+}

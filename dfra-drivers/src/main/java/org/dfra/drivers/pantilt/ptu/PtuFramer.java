@@ -1,0 +1,65 @@
+package org.dfra.drivers.pantilt.ptu;
+
+import org.dfra.drivers.frame.FrameScanner;
+
+/**
+ * Finds replies: {@code *}, {@code * text} and {@code ! text}, each with a carriage return, before
+ * it the line feed that the line before may have ended with; and {@code !P} and {@code !T}, which
+ * have no end of their own and count only where a line ends or another reply begins right after.
+ *
+ * <p>What the unit echoes, and what it prints when it is switched on, is no reply and is dropped.
+ * There is no checksum: damage inside of a reply is not seen here.
+ */
+public final class PtuFramer extends FrameScanner {
+
+  /** Longest reply: the copyright notice in the version of the firmware, and some. */
+  public static final int LONGEST = 200;
+
+  /** A framer at the beginning of a stream. */
+  public PtuFramer() {
+    super(LONGEST);
+  }
+
+  @Override
+  protected int frameAt(byte[] bytes, int at, int end) {
+    int from = bytes[at] == '\n' ? at + 1 : at;
+    if (end - from < 2) {
+      return from == end || isMark(bytes[from]) ? NEEDS_MORE : NONE;
+    }
+    if (!isMark(bytes[from])) {
+      return NONE;
+    }
+    byte next = bytes[from + 1];
+    if (bytes[from] == '!' && (next == 'P' || next == 'T')) {
+      return limit(bytes, at, from, end);
+    }
+    return next == ' ' || next == '\r' ? line(bytes, at, from + 1, end) : NONE;
+  }
+
+  private static int limit(byte[] bytes, int at, int from, int end) {
+    if (from + 2 == end) {
+      return NEEDS_MORE;
+    }
+    byte after = bytes[from + 2];
+    boolean isAlone = after == '\r' || after == '\n' || isMark(after);
+    return isAlone ? from + 2 - at : NONE;
+  }
+
+  private static int line(byte[] bytes, int at, int from, int end) {
+    int limit = Math.min(end, at + LONGEST);
+    for (int i = from; i < limit; i++) {
+      byte next = bytes[i];
+      if (next == '\r') {
+        return i + 1 - at;
+      }
+      if (next < ' ' || next > '~' || isMark(next)) {
+        return NONE;
+      }
+    }
+    return end - at < LONGEST ? NEEDS_MORE : NONE;
+  }
+
+  private static boolean isMark(byte letter) {
+    return letter == '*' || letter == '!';
+  }
+}

@@ -1,0 +1,306 @@
+package org.dfra.drivers.pantilt.ptu;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.core.effector.EffectorImpl;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable;
+import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.effector.PanTiltCommand;
+import org.dfra.flow.effector.PanTiltCommand.Halt;
+import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltEffector;
+import org.dfra.flow.effector.PanTiltState;
+import org.dfra.geometry.Transform;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.EffectorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A pan-tilt unit of Directed Perception, PTU-46 or D46, on its serial line: 9600 8N1.
+ *
+ * <p>Parameters:
+ *
+ * <ul>
+ *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link
+ *       org.dfra.drivers.link.LinkSettings}; the link is required
+ *   <li>{@code rate}: how often it is asked where the head points, {@value #SLOWEST} to {@value
+ *       #FASTEST} Hz; default {@value #USUAL}; can be set while it runs
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: where the two axes meet, and how the head
+ *       is turned when it points to 0, 0; see {@link org.dfra.core.module.DeviceImpl}
+ *   <li>to be read only: {@code refusals}, commands that the unit refused; {@code frames}, {@code
+ *       dropped_bytes}, {@code malformed_frames}
+ * </ul>
+ *
+ * <p>The head's frame moves with it: {@link #localTransform} is the mount, then pan about z, to the
+ * left +, then tilt about y, up + (which is a negative pitch, since nose down is + there).
+ *
+ * <p>INITIALIZING until the unit has told what its axes can and where they are; again when the link
+ * is lost, when it tells no position for 3 s, or while it is reset. FAILED when an axis runs
+ * against its end ({@code !P}, {@code !T}): the unit has lost count of its steps, and everything it
+ * tells is wrong, until the recovery {@code reset_by_moving}.
+ *
+ * <p>A direction outside of the unit's limits is refused; a speed outside of them is made the
+ * nearest it can. Without a commander the head halts where it is.
+ *
+ * <p>Tests: {@code link}, {@code readings} (positions come), {@code identification} (it tells its
+ * version). Recoveries: {@code reopen_link}; {@code reset_by_moving}, which turns the head to all
+ * its ends and then to 0, 0, and is refused while somebody commands it or it is stopped for an
+ * emergency.
+ *
+ * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}. Commands
+ * go out on their caller's thread.
+ */
+public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTiltEffector {
+
+  static final double SLOWEST = 0.5;
+  static final double FASTEST = 20;
+  static final double USUAL = 10;
+
+  /** What it can carry and where it works, by the maker's data sheet. */
+  private static final List<Precondition> PRECONDITIONS =
+      List.of(
+          new Precondition("load on the head", 0, 1.81, "kg"),
+          new Precondition("temperature", -20, 60, "°C"));
+
+  /** Positions that the head was told to go to. */
+  private record Target(int pan, int tilt) {}
+
+  private static final Duration OLDEST = Duration.ofSeconds(3);
+
+  private final LatestReading<PanTiltState> latest;
+  private final DeviceLine line;
+  private final PtuProtocol protocol;
+  private final PtuExamination examination;
+
+  private volatile double rate;
+  private volatile @Nullable PtuGeometry geometry; // null: not told yet
+  private volatile @Nullable Target target; // null: it was halted, or never told where to point
+  private volatile long refusals;
+
+  // confined to the reader
+  private int lastPan;
+  private int lastTilt;
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public PtuImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  PtuImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "pan-tilt unit, Directed Perception PTU-46",
+        "DFRA",
+        "1.0",
+        List.of("Halt", "Point"),
+        List.of("PanTiltState"),
+        PRECONDITIONS);
+    this.latest = new LatestReading<>("position", this, this::become, ticker::nanos, () -> OLDEST);
+    this.rate = settings().number("rate", USUAL, SLOWEST, FASTEST);
+    this.protocol = new PtuProtocol(new Unit(), ticker, () -> rate, this::send);
+    this.line = new DeviceLine(context, protocol, ticker, source, log);
+    this.line.declareIn(examinations(), declared());
+    this.examination =
+        new PtuExamination(line, protocol, this::commander, () -> stopState().latched());
+    this.examination.declareIn(examinations());
+    declared()
+        .number(
+            "rate",
+            "how often it is asked where the head points",
+            ParameterTable.Range.of(SLOWEST, FASTEST, "Hz"),
+            () -> rate,
+            value -> rate = value);
+    declared().show("refusals", "commands that the unit refused", () -> Long.toString(refusals));
+  }
+
+  private boolean send(byte[] bytes) {
+    return line.sendNow(bytes);
+  }
+
+  @Override
+  protected void onStart() {
+    latest.awaits("its link is being opened");
+    line.start();
+  }
+
+  @Override
+  protected void onClose() {
+    line.close();
+    latest.forget("it has ended");
+  }
+
+  @Override
+  protected void obey(PanTiltCommand command) {
+    PtuGeometry known = geometry;
+    if (known == null) {
+      throw new NotReadyException(path(), readiness(), latest.awaits());
+    }
+    if (command instanceof Point point) {
+      point(point, known);
+    } else if (command instanceof Halt) {
+      target = null;
+      tellUnit(List.of(PtuCommands.HALT));
+    }
+  }
+
+  private void point(Point point, PtuGeometry known) {
+    Target wanted;
+    try {
+      wanted = new Target(known.pan().position(point.pan()), known.tilt().position(point.tilt()));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(path() + " cannot point there: " + e.getMessage(), e);
+    }
+    target = wanted;
+    tellUnit(
+        PtuCommands.point(
+            wanted.pan(),
+            wanted.tilt(),
+            known.pan().speed(point.speed()),
+            known.tilt().speed(point.speed())));
+  }
+
+  private void tellUnit(List<String> commands) {
+    if (!protocol.tell(commands)) {
+      throw new NotReadyException(
+          path(), readiness(), "its link was lost just now, the head was not told");
+    }
+  }
+
+  /** Halts where it is. Without a link it cannot be told, and stops where it was told to point. */
+  @Override
+  protected void rest() {
+    target = null;
+    boolean unused = protocol.tell(List.of(PtuCommands.HALT));
+  }
+
+  @Override
+  public PanTiltState panTilt() {
+    return latest.get();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws NotReadyException as {@link #panTilt}: where the head points is not known then
+   */
+  @Override
+  public Transform localTransform() {
+    PanTiltState now = panTilt();
+    return HeadPose.of(super.localTransform(), now.pan(), now.tilt());
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    List<Attributes> all = new ArrayList<>();
+    all.add(
+        new EffectorAttributes(
+            inputTypes(), null, List.of("Nothing is in the way of the head and what it carries.")));
+    PtuGeometry known = geometry;
+    if (known != null) {
+      all.add(known.attributes());
+    }
+    return all;
+  }
+
+  /** What the unit says; on the reader's thread. */
+  private final class Unit implements PtuProtocol.Listener {
+
+    @Override
+    public void measured(PtuGeometry told) {
+      geometry = told;
+    }
+
+    @Override
+    public void points(int pan, int tilt) {
+      PtuGeometry known = geometry;
+      if (known == null || readiness() == Readiness.FAILED) {
+        return;
+      }
+      Target wanted = target;
+      boolean isMoving =
+          wanted == null
+              ? latest.peek() != null && (pan != lastPan || tilt != lastTilt)
+              : pan != wanted.pan() || tilt != wanted.tilt();
+      lastPan = pan;
+      lastTilt = tilt;
+      PanTiltState state =
+          new PanTiltState(
+              clock().instant(),
+              frame(),
+              known.pan().radians(pan),
+              known.tilt().radians(tilt),
+              isMoving);
+      latest.set(state);
+      tell(state);
+    }
+
+    @Override
+    public void hit(PtuAxis axis) {
+      String reason =
+          "the "
+              + axis
+              + " axis ran against its end, and the unit lost count of its steps; recover it by"
+              + " reset_by_moving";
+      unknown(reason);
+      if (readiness().mayBecome(Readiness.FAILED)) {
+        become(Readiness.FAILED, reason);
+      }
+    }
+
+    @Override
+    public void resetting() {
+      unknown("it is being reset");
+      if (readiness() == Readiness.FAILED || readiness().serves()) {
+        become(Readiness.INITIALIZING, "it is being reset");
+      }
+    }
+
+    @Override
+    public void refused(String command, String reason) {
+      refusals = refusals + 1; // the reader alone counts
+      log.warn("{}: the unit refused {}: {}", path(), command, reason);
+    }
+
+    @Override
+    public void answered(String question, PtuReply reply) {
+      examination.answered(question, reply);
+    }
+
+    @Override
+    public void puzzled(String how) {
+      log.warn("{}: {}; it is asked anew", path(), how);
+      if (readiness() == Readiness.INITIALIZING) {
+        latest.awaits(how);
+      }
+    }
+
+    @Override
+    public void lost(String reason) {
+      if (readiness() != Readiness.FAILED) {
+        target = null;
+        latest.lose(reason);
+      }
+    }
+
+    @Override
+    public void alive() {
+      line.alive();
+    }
+
+    private void unknown(String reason) {
+      target = null;
+      latest.forget(reason);
+    }
+  }
+}

@@ -1,0 +1,159 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.util.Locale;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ParameterTable;
+import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.GlobalPosition;
+import org.dfra.flow.effector.FlightCommand;
+import org.dfra.flow.effector.FlightCommand.Disarm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parameters of a {@link MavlinkFlightImpl}, all of which can be set while it runs, and what
+ * they forbid. Safe for use by several threads.
+ */
+final class FlightLimits {
+
+  private static final String TOLD = "told";
+  private static final Range SEPARATION = Range.of(-120, 100, "m");
+
+  private final String module;
+  private final FlightPicture picture;
+  private volatile double maxSpeed;
+  private volatile double maxHeight;
+  private volatile double rate;
+  private volatile String separation;
+
+  /**
+   * @param module its path, for messages
+   * @param settings what is written for it
+   * @param table where they are declared
+   * @param picture goes by the separation of geoid and ellipsoid that is set
+   * @throws org.dfra.core.config.ConfigurationException if one of them is wrong
+   */
+  FlightLimits(String module, Parameters settings, ParameterTable table, FlightPicture picture) {
+    this.module = module;
+    this.picture = picture;
+    maxSpeed = settings.number("max_speed", 10, 0.1, 100);
+    maxHeight = settings.number("max_height", 120, 1, 10_000);
+    rate = settings.number("rate", 5, 0.2, 50);
+    separation = settings.find("geoid_separation").orElse(TOLD);
+    if (!separation.equals(TOLD)) {
+      picture.fixSeparation(settings.number("geoid_separation", 0, -120, 100));
+    }
+    declareIn(table);
+  }
+
+  private void declareIn(ParameterTable table) {
+    table.number(
+        "max_speed",
+        "a faster GoTo is flown at this",
+        Range.of(0.1, 100, "m/s"),
+        () -> maxSpeed,
+        value -> maxSpeed = value);
+    table.number(
+        "max_height",
+        "above the place of take-off; it is not told to rise above",
+        Range.of(1, 10_000, "m"),
+        () -> maxHeight,
+        value -> maxHeight = value);
+    table.number(
+        "rate", "states in a second", Range.of(0.2, 50, "Hz"), () -> rate, value -> rate = value);
+    table.text(
+        "geoid_separation",
+        "height of the geoid above the ellipsoid, metres; told is what the autopilot tells",
+        () -> separation,
+        this::setSeparation);
+    table.show("separation", "the separation it goes by now", this::separation);
+  }
+
+  private void setSeparation(String text) {
+    if (text.equals(TOLD)) {
+      picture.fixSeparation(null);
+    } else {
+      picture.fixSeparation(number(text));
+    }
+    separation = text;
+  }
+
+  private static double number(String text) {
+    double number;
+    try {
+      number = Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      number = Double.NaN;
+    }
+    if (!(number >= SEPARATION.least() && number <= SEPARATION.most())) {
+      throw new IllegalArgumentException(SEPARATION + ", or told");
+    }
+    return number;
+  }
+
+  private String separation() {
+    @Nullable Double now = picture.separation();
+    return now == null ? "not known" : String.format(Locale.ROOT, "%.2f m", now);
+  }
+
+  /** The fastest that it is told to fly over ground, metres per second. */
+  double maxSpeed() {
+    return maxSpeed;
+  }
+
+  /** The highest that it is told to fly above the place of take-off, metres. */
+  double maxHeight() {
+    return maxHeight;
+  }
+
+  /** States wanted in a second. */
+  double rate() {
+    return rate;
+  }
+
+  /**
+   * Refuses what cannot be done as things are.
+   *
+   * @param here where the vehicle is; null where that is not known
+   * @throws IllegalArgumentException if it cannot; the message says what can
+   */
+  void check(FlightCommand command, @Nullable GlobalPosition here) {
+    boolean stands = picture.phase() == Phase.ON_GROUND;
+    if (command instanceof Disarm && !stands) {
+      throw new IllegalArgumentException(
+          module + " flies, and its motors are not stopped in the air; have it land");
+    }
+    if (command instanceof TakeOff wanted) {
+      if (!stands) {
+        throw new IllegalArgumentException(module + " flies already; tell it where to go");
+      }
+      checkHeight(wanted.height());
+    }
+    if (command instanceof GoTo wanted) {
+      if (stands) {
+        throw new IllegalArgumentException(
+            module + " stands on the ground; have it take off first");
+      }
+      @Nullable Double separation = picture.separation();
+      if (here != null && separation != null) {
+        double home = here.heightMsl() - here.heightAboveHome() + separation;
+        checkHeight(wanted.position().height() - home);
+      }
+    }
+  }
+
+  private void checkHeight(double height) {
+    if (height > maxHeight) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "%s: height %.1f m above the place of take-off > max_height %.1f m; stay below it,"
+                  + " or set the parameter",
+              module,
+              height,
+              maxHeight));
+    }
+  }
+}

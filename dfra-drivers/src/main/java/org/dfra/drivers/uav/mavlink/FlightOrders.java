@@ -1,0 +1,109 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The order that the vehicle is being given, step by step. A new order takes the place of the old
+ * one at once: of that nothing is sent any more, so that a repetition of it never comes after the
+ * new one.
+ *
+ * <p>Safe for use by several threads.
+ */
+final class FlightOrders {
+
+  /** Is told how an order ended; by the reader thread, outside of all locks. */
+  interface Listener {
+
+    /**
+     * @param order its name
+     * @param step the step that was its last
+     * @param result what became of that step; the order was done where it is accepted
+     */
+    void ended(String order, MavlinkCommand step, CommandResult result);
+  }
+
+  private final Listener listener;
+  private @Nullable Order current; // guarded by this
+  private String told = "none"; // guarded by this
+
+  /** An order under way; all of it is guarded by the orders. */
+  private static final class Order {
+    final String name;
+    final List<MavlinkCommand> steps;
+    final CommandProtocol protocol;
+    int at;
+    CommandProtocol.@Nullable Exchange exchange;
+
+    Order(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
+      this.name = name;
+      this.steps = steps;
+      this.protocol = protocol;
+    }
+
+    MavlinkCommand step() {
+      return steps.get(at);
+    }
+  }
+
+  FlightOrders(Listener listener) {
+    this.listener = listener;
+  }
+
+  /**
+   * Gives an order; its first step is sent before the call returns.
+   *
+   * @return false where there is no vehicle to give it to
+   */
+  synchronized boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
+    forget();
+    Order order = new Order(name, steps, protocol);
+    current = order;
+    told = name + " awaits its answer";
+    return send(order);
+  }
+
+  /** Calls the order off that is under way, if any. */
+  synchronized void forget() {
+    if (current != null && current.exchange != null) {
+      current.protocol.callOff(current.exchange);
+    }
+    current = null;
+  }
+
+  private boolean send(Order order) {
+    order.exchange = order.protocol.begin(order.step(), result -> answered(order, result));
+    if (order.exchange == null) {
+      told = order.name + " could not be sent, since there is no vehicle";
+      current = null;
+      return false;
+    }
+    return true;
+  }
+
+  private void answered(Order order, CommandResult result) {
+    MavlinkCommand step;
+    synchronized (this) {
+      if (current != order) {
+        return; // another has taken its place meanwhile
+      }
+      step = order.step();
+      if (result.isAccepted() && order.at + 1 < order.steps.size()) {
+        order.at++;
+        if (send(order)) {
+          return;
+        }
+        result = CommandResult.LOST;
+        step = order.step();
+      }
+      current = null;
+      told = order.name + ": " + step.name() + " " + result;
+    }
+    listener.ended(order.name, step, result);
+  }
+
+  /** The order under way, or what became of the last one. */
+  synchronized String told() {
+    return told;
+  }
+}

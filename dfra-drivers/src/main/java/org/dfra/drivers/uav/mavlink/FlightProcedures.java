@@ -1,0 +1,135 @@
+package org.dfra.drivers.uav.mavlink;
+
+import io.dronefleet.mavlink.common.MavCmd;
+import java.util.List;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.Placed;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.GlobalPosition;
+import org.dfra.flow.effector.FlightCommand;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.Disarm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.Hold;
+import org.dfra.flow.effector.FlightCommand.Land;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What an autopilot is told for a command, step by step; each step awaits the answer to the last.
+ * Pure.
+ *
+ * <pre>
+ *               PX4                            ArduPilot
+ *   Arm         hold, arm                      guided, arm
+ *   TakeOff     take off to a height MSL       guided, take off to a height above here
+ *   GoTo        reposition at a speed          guided, reposition, change speed
+ *   Hold        hold (AUTO.LOITER)             hold (BRAKE; its LOITER follows a pilot's stick,
+ *                                              and goes down where there is none)
+ *   Land        land                           land
+ *   ReturnHome  return to launch               return to launch
+ *   Disarm      disarm, never by force         the same
+ * </pre>
+ */
+final class FlightProcedures {
+
+  private static final float AS_IT_IS = Float.NaN;
+
+  /** Of {@code DO_REPOSITION}: fly there, whatever it did before. */
+  private static final float CHANGE_MODE = 1;
+
+  /** Of {@code DO_CHANGE_SPEED}: over ground. */
+  private static final float GROUND_SPEED = 1;
+
+  private FlightProcedures() {}
+
+  /** Whether it is known how to command such a vehicle. */
+  static boolean know(Vehicle vehicle) {
+    return vehicle.autopilot() == Vehicle.PX4 || vehicle.autopilot() == Vehicle.ARDUPILOT;
+  }
+
+  /**
+   * The steps of a command.
+   *
+   * @param here where the vehicle is; null where that is not known
+   * @param separation height of the geoid above the ellipsoid, metres; null where it is not known
+   * @param most the fastest it is flown, metres per second
+   * @throws IllegalArgumentException if what is not known is needed; the message says what
+   */
+  static List<MavlinkCommand> steps(
+      FlightCommand command,
+      Vehicle vehicle,
+      @Nullable GlobalPosition here,
+      @Nullable Double separation,
+      double most) {
+    boolean arduPilot = vehicle.autopilot() == Vehicle.ARDUPILOT;
+    if (command instanceof Arm) {
+      FlightMode mode = arduPilot ? FlightMode.GUIDED : FlightMode.HOLD;
+      return List.of(mode.set(vehicle), armed(true));
+    } else if (command instanceof Disarm) {
+      return List.of(armed(false));
+    } else if (command instanceof TakeOff wanted) {
+      return takeOff(wanted, vehicle, here);
+    } else if (command instanceof GoTo wanted) {
+      return goTo(wanted, vehicle, separation, Math.min(wanted.speed(), most));
+    } else if (command instanceof Hold) {
+      return List.of(FlightMode.HOLD.set(vehicle));
+    } else if (command instanceof Land) {
+      return List.of(here(MavCmd.MAV_CMD_NAV_LAND, arduPilot, 0));
+    }
+    return List.of(Plain.of(MavCmd.MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0));
+  }
+
+  private static MavlinkCommand armed(boolean armed) {
+    return Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, armed ? 1 : 0, 0);
+  }
+
+  private static List<MavlinkCommand> takeOff(
+      TakeOff wanted, Vehicle vehicle, @Nullable GlobalPosition here) {
+    if (vehicle.autopilot() == Vehicle.ARDUPILOT) {
+      return List.of(
+          FlightMode.GUIDED.set(vehicle),
+          here(MavCmd.MAV_CMD_NAV_TAKEOFF, true, (float) wanted.height()));
+    }
+    if (here == null) {
+      throw new IllegalArgumentException(
+          vehicle + " knows no position, without which it cannot be told how high to rise");
+    }
+    return List.of(
+        here(MavCmd.MAV_CMD_NAV_TAKEOFF, false, (float) (here.heightMsl() + wanted.height())));
+  }
+
+  /**
+   * At the place where it is: PX4 takes numbers that are none for that, as the protocol has it;
+   * ArduPilot passes the place over, and turns such numbers into whole ones first.
+   */
+  private static MavlinkCommand here(MavCmd id, boolean arduPilot, float height) {
+    float place = arduPilot ? 0 : AS_IT_IS;
+    return new Plain(id, 0, 0, 0, place, place, place, height);
+  }
+
+  private static List<MavlinkCommand> goTo(
+      GoTo wanted, Vehicle vehicle, @Nullable Double separation, double speed) {
+    if (separation == null) {
+      throw new IllegalArgumentException(
+          vehicle
+              + " has not told how high it is above the ellipsoid, so a height cannot be told it;"
+              + " set the parameter geoid_separation");
+    }
+    Placed there =
+        new Placed(
+            MavCmd.MAV_CMD_DO_REPOSITION,
+            (float) speed,
+            CHANGE_MODE,
+            0,
+            AS_IT_IS,
+            (int) Math.round(wanted.position().latitude() * 1e7),
+            (int) Math.round(wanted.position().longitude() * 1e7),
+            (float) (wanted.position().height() - separation));
+    return vehicle.autopilot() == Vehicle.ARDUPILOT
+        ? List.of(
+            FlightMode.GUIDED.set(vehicle),
+            there,
+            Plain.of(MavCmd.MAV_CMD_DO_CHANGE_SPEED, GROUND_SPEED, speed))
+        : List.of(there);
+  }
+}

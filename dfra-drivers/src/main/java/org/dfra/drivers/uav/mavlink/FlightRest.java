@@ -1,0 +1,129 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.effector.FlightCommand;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.Disarm;
+import org.dfra.flow.effector.FlightCommand.Hold;
+import org.dfra.flow.effector.FlightCommand.Land;
+import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a vehicle comes to rest when its commander is lost.
+ *
+ * <pre>
+ *   NOT COMMANDED --a command--&gt; COMMANDED --commander lost--&gt; OWED --accepted--&gt; NOT COMMANDED
+ *                                    ^                          |  ^
+ *                                    +--------a command---------+  +-- every 2 s, until accepted
+ * </pre>
+ *
+ * <ul>
+ *   <li>in the air it holds its place
+ *   <li>but a landing or a return that the commander has ordered goes on, since it ends at rest: a
+ *       caller that lets go after {@code Land} must not find the craft hovering until its battery
+ *       is empty
+ *   <li>on the ground it is disarmed, by no force: an autopilot that flies after all refuses
+ *   <li>what the vehicle does not accept, or what could not be sent since it was lost, is sent
+ *       again every 2 s
+ *   <li>a vehicle that was not commanded is left alone: it may be a pilot's
+ * </ul>
+ *
+ * <p>Safe for use by several threads: commands and the coming to rest exclude each other.
+ */
+final class FlightRest {
+
+  private static final Duration AGAIN = Duration.ofSeconds(2);
+  private static final String REST = "coming to rest";
+
+  private final FlightPicture picture;
+  private final FlightOrders orders;
+  private final Ticker ticker;
+
+  private @Nullable FlightCommand wanted; // guarded by this; the last command, unless refused
+  private boolean commanded; // guarded by this
+  private boolean owed; // guarded by this
+  private long triedNanos; // guarded by this
+
+  FlightRest(FlightPicture picture, FlightOrders orders, Ticker ticker) {
+    this.picture = picture;
+    this.orders = orders;
+    this.ticker = ticker;
+  }
+
+  /**
+   * There is a command: no rest.
+   *
+   * @return false where there is no vehicle to give it to
+   */
+  synchronized boolean interrupt(
+      FlightCommand command, List<MavlinkCommand> steps, MavlinkConnection connection) {
+    owed = false;
+    commanded = true;
+    wanted = command;
+    return orders.begin(command.getClass().getSimpleName(), steps, connection.commands());
+  }
+
+  /** There is no commander any more. */
+  synchronized void begin(@Nullable MavlinkConnection connection) {
+    if (commanded) {
+      owed = true;
+      attempt(connection);
+    }
+  }
+
+  /** Tries again what was not accepted; called again and again. */
+  synchronized void tend(@Nullable MavlinkConnection connection) {
+    if (owed && ticker.nanos() - triedNanos >= AGAIN.toNanos()) {
+      attempt(connection);
+    }
+  }
+
+  /** An order has ended. */
+  synchronized void ended(String order, CommandResult result, boolean isAlone) {
+    if (order.equals(REST)) {
+      if (result.isAccepted() && owed) {
+        atRest();
+      }
+    } else if (!result.isAccepted()) {
+      wanted = null;
+      owed |= isAlone && commanded; // its landing was refused after the commander had gone
+    }
+  }
+
+  private void attempt(@Nullable MavlinkConnection connection) {
+    triedNanos = ticker.nanos();
+    @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
+    if (connection == null || vehicle == null || !picture.isWhole()) {
+      return; // it stays owed until there is a vehicle
+    }
+    FlightCommand step = new Hold();
+    if (picture.phase() == Phase.ON_GROUND) {
+      if (!picture.isArmed() && !(wanted instanceof Arm) && !(wanted instanceof TakeOff)) {
+        orders.forget();
+        atRest();
+        return;
+      }
+      step = new Disarm();
+    } else if (wanted instanceof Land
+        || wanted instanceof ReturnHome
+        || picture.isIn(FlightMode.LAND, vehicle)
+        || picture.isIn(FlightMode.RETURN, vehicle)) {
+      owed = false;
+      return;
+    }
+    boolean unused =
+        orders.begin(
+            REST, FlightProcedures.steps(step, vehicle, null, null, 0), connection.commands());
+  }
+
+  private void atRest() {
+    owed = false;
+    commanded = false;
+    wanted = null;
+  }
+}

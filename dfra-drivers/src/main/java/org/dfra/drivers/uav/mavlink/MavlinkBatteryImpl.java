@@ -1,0 +1,112 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.util.List;
+import java.util.Map;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.BatteryStatus;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.SystemStatus;
+import org.dfra.flow.sensor.BatterySensor;
+import org.dfra.flow.sensor.BatteryState;
+import org.dfra.module.Precondition;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A battery of an unmanned aerial vehicle, as its autopilot measures it: {@code BATTERY_STATUS},
+ * and {@code SYS_STATUS} for the first battery of an autopilot that does not send the other.
+ *
+ * <p>Parameters, besides those of {@link MavlinkSensorImpl}: {@code battery}, which one, 0 to 255;
+ * default 0, the first.
+ *
+ * <p>The voltage is the sum of the cells that are told. What remains is the autopilot's: counted
+ * from the current where that is measured, else guessed from the voltage, which is said with it.
+ *
+ * <p>Precondition: the voltage that MAVLink can tell, 0 to 65 V in one number.
+ */
+public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
+    implements BatterySensor {
+
+  private static final List<Precondition> PRECONDITIONS =
+      List.of(new Precondition("voltage of the battery", 0, 65, "V"));
+
+  private final int battery;
+  private final SensorAttributes sensor =
+      new SensorAttributes("BatteryState", List.of("continuous"), 1.0 / 60, 20, null, List.of());
+  private volatile boolean tellsItself; // whether BATTERY_STATUS has come
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public MavlinkBatteryImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  MavlinkBatteryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "battery of an autopilot, by MAVLink",
+        "BATTERY_STATUS",
+        List.of("BatteryState"),
+        PRECONDITIONS,
+        ticker,
+        source);
+    double number = settings().number("battery", 0, 0, 255);
+    if (number != Math.rint(number)) {
+      throw settings().fault("battery", "a whole number from 0 to 255", null);
+    }
+    this.battery = (int) number;
+  }
+
+  @Override
+  Map<Integer, Double> streams(double rate) {
+    return Map.of(MessageIds.BATTERY_STATUS, rate, MessageIds.SYS_STATUS, rate);
+  }
+
+  @Override
+  void heard(MavlinkMessage message) {
+    if (message instanceof BatteryStatus told && told.id() == battery) {
+      tellsItself = true;
+      take(told.voltage(), told.current(), told.remaining());
+    } else if (message instanceof SystemStatus told && battery == 0 && !tellsItself) {
+      take(told.voltage(), told.current(), told.remaining());
+    }
+  }
+
+  private void take(
+      @Nullable Double voltage, @Nullable Double current, @Nullable Double remaining) {
+    if (voltage == null) {
+      useless("the autopilot does not measure the voltage of battery " + battery);
+      return;
+    }
+    BatteryState now =
+        new BatteryState(
+            clock().instant(), voltage, current, remaining, remaining != null && current == null);
+    delivered(now);
+    tell(now);
+  }
+
+  @Override
+  void forget() {
+    tellsItself = false;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws org.dfra.module.NotReadyException if it was not told yet, or not for so long that the
+   *     last reading does not count any more
+   */
+  @Override
+  public BatteryState battery() {
+    return latest().get();
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    return List.of(sensor);
+  }
+}

@@ -1,0 +1,299 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.dfra.core.effector.EffectorImpl;
+import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.Text;
+import org.dfra.flow.effector.FlightCommand;
+import org.dfra.flow.effector.FlightEffector;
+import org.dfra.flow.effector.FlightState;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.EffectorAttributes;
+import org.dfra.persona.FlightAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The flight controller of a multicopter, by MAVLink 2: PX4 or ArduPilot.
+ *
+ * <p><b>What a caller must know.</b> {@link #obey} returns when the command has been handed to the
+ * link. The vehicle answers later, and may refuse:
+ *
+ * <ul>
+ *   <li>a command is done when {@link #flight} shows it; wait for that, with a time-out
+ *   <li>one that is refused, or not answered within 2.8 s, is told to listeners as an incident of
+ *       the history, logged, and stands in the parameter {@code last_refusal}, with what the
+ *       autopilot said of it where it said something; {@code last_order} shows what became of the
+ *       last command either way. Only what was not answered is sent again; what was refused for now
+ *       is not, since a command that comes late is worse than one that does not come
+ *   <li>one that cannot be done at all is refused at once, as an {@link IllegalArgumentException}:
+ *       to rise above {@code max_height}, to disarm in the air, to go somewhere from the ground
+ *   <li>a new command takes the place of the last one, answered or not
+ * </ul>
+ *
+ * <p><b>Heights.</b> A {@link FlightCommand.GoTo} has its height above the ellipsoid, and so has
+ * {@link FlightState#position}. MAVLink flies by heights above mean sea level; the difference is
+ * taken from {@code GPS_RAW_INT}, or from the parameter {@code geoid_separation} where the
+ * autopilot does not tell it. Where neither is known there is no position, and a GoTo is refused.
+ * {@link FlightState#height} and {@code max_height} are above the place where it took off.
+ *
+ * <p><b>Without a commander</b> it comes to rest as {@link FlightRest} has it: it holds its place
+ * in the air. While this module runs the vehicle hears our heartbeat; when that ends, by a crash or
+ * a lost link, the vehicle's own failsafe acts, which must be set up (PX4: {@code NAV_DLL_ACT},
+ * ArduPilot: {@code FS_GCS_ENABLE}).
+ *
+ * <p>Parameters, besides those of {@link MavlinkPort}:
+ *
+ * <ul>
+ *   <li>{@code max_speed}: metres per second over ground, a faster GoTo is flown at this; 0.1 to
+ *       100, default 10; can be set while it runs
+ *   <li>{@code max_height}: metres above the place of take-off; 1 to 10 000, default 120; can be
+ *       set while it runs
+ *   <li>{@code rate}: states in a second, 0.2 to 50, default 5; can be set while it runs
+ *   <li>{@code geoid_separation}: height of the geoid above the ellipsoid here, metres, −120 to
+ *       100; {@code told}, the default, is what the autopilot tells; can be set while it runs
+ *   <li>to be read only: {@code separation}, {@code last_order}, {@code last_refusal}, {@code
+ *       last_text}
+ * </ul>
+ *
+ * <p>INITIALIZING until the vehicle's heartbeat and position have come, and again when it was not
+ * heard for 3 s. A vehicle that has lost its position still obeys: it can be landed.
+ *
+ * <p>Tests: {@code link}, {@code identification}, {@code readings} (its position comes), {@code
+ * position} (it knows where it is, and how high above the ellipsoid). Recovery: {@code
+ * reopen_link}.
+ *
+ * <p>Preconditions: the limits of usual small multicopters; the makers' manuals tell more.
+ */
+public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> implements FlightEffector {
+
+  private static final List<Precondition> PRECONDITIONS =
+      List.of(
+          new Precondition("wind", 0, 12, "m/s"),
+          new Precondition("temperature of the air", -10, 40, "°C"));
+
+  private static final List<String> TAKES =
+      List.of("Arm", "Disarm", "GoTo", "Hold", "Land", "ReturnHome", "TakeOff");
+
+  private static final Duration LONGEST_AGE = Duration.ofSeconds(3);
+
+  private final Ticker ticker;
+  private final FlightPicture picture = new FlightPicture();
+  private final FlightOrders orders = new FlightOrders(this::ended);
+  private final FlightRefusals refusals;
+  private final FlightLimits limits;
+  private final FlightRest rest;
+  private final MavlinkPort port;
+
+  private volatile String awaits = "it has not been started";
+  private @Nullable FlightState told; // confined to the reader
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public MavlinkFlightImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  MavlinkFlightImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "flight controller, by MAVLink 2",
+        "DFRA",
+        "1.0",
+        TAKES,
+        List.of("FlightState"),
+        PRECONDITIONS);
+    this.ticker = ticker;
+    this.refusals = new FlightRefusals(path(), ticker);
+    this.limits = new FlightLimits(path(), settings(), declared(), picture);
+    this.rest = new FlightRest(picture, orders, ticker);
+    this.port = new MavlinkPort(new Member(), context, ticker, source);
+    port.declareIn(examinations(), declared());
+    String position = "GLOBAL_POSITION_INT";
+    examinations().test("readings", port.next(position, position, () -> LONGEST_AGE));
+    examinations().test("position", this::position);
+    declared().show("last_order", "what became of the last command", orders::told);
+    declared().show("last_refusal", "the last command not obeyed, and why", refusals::last);
+    declared().show("last_text", "the autopilot's last warning", refusals::text);
+  }
+
+  @Override
+  protected void onStart() {
+    awaits = "its link is being opened";
+    port.start();
+  }
+
+  @Override
+  protected void onClose() {
+    port.close();
+    awaits = "it has ended";
+    picture.forget();
+  }
+
+  @Override
+  protected void obey(FlightCommand command) {
+    @Nullable MavlinkConnection connection = port.joined();
+    @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
+    if (connection == null || vehicle == null) {
+      throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
+    }
+    if (!FlightProcedures.know(vehicle)) {
+      throw new IllegalArgumentException(
+          path() + " has found " + vehicle + ", and only PX4 and ArduPilot are known to it");
+    }
+    MavlinkMessage.@Nullable GlobalPosition here = picture.position(ticker.nanos());
+    limits.check(command, here);
+    List<MavlinkCommand> steps =
+        FlightProcedures.steps(command, vehicle, here, picture.separation(), limits.maxSpeed());
+    if (!rest.interrupt(command, steps, connection)) {
+      throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
+    }
+  }
+
+  @Override
+  protected void rest() {
+    rest.begin(port.joined());
+  }
+
+  /** An order has ended; on the reader thread. */
+  private void ended(String order, MavlinkCommand step, CommandResult result) {
+    log.info("{}: {}: {} {}", path(), order, step.name(), result);
+    rest.ended(order, result, commander() == null);
+    if (readiness() == Readiness.STOPPED) {
+      return; // the last order was to come to rest, and the link outlives this module
+    }
+    if (!result.isAccepted()) {
+      CommandNotObeyedException refusal = refusals.add(order, step, result);
+      log.warn("{}", refusal.toString());
+      survived(refusal);
+    }
+    tellState(true);
+  }
+
+  /** Tells how it flies, where that is known; on the reader thread. */
+  private void tellState(boolean always) {
+    FlightState now = readiness().serves() ? picture.state(ticker.nanos()) : null;
+    FlightState last = told;
+    if (now != null
+        && (always
+            || last == null
+            || last.phase() != now.phase()
+            || last.isArmed() != now.isArmed())) {
+      told = now;
+      tell(now);
+    }
+  }
+
+  private Finding position() {
+    FlightState now = readiness().serves() ? picture.state(ticker.nanos()) : null;
+    if (now == null) {
+      return new Finding(false, "it has not told how it flies: " + awaits);
+    }
+    return now.position() == null
+        ? new Finding(
+            false,
+            picture.separation() == null
+                ? "it does not tell its height above the ellipsoid; set geoid_separation"
+                : "it does not know where it is; has it found its satellites?")
+        : new Finding(true, "it is at " + now.position());
+  }
+
+  /** {@inheritDoc} Its time is when something of it was last heard. */
+  @Override
+  public FlightState flight() {
+    Readiness readiness = readiness();
+    FlightState now = readiness.serves() ? picture.state(ticker.nanos()) : null;
+    if (now == null) {
+      throw new NotReadyException(path(), readiness, awaits);
+    }
+    return now;
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    @Nullable MavlinkConnection connection = port.joined();
+    @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
+    @Nullable String version = connection == null ? null : connection.software();
+    return List.of(
+        new EffectorAttributes(
+            TAKES, null, List.of("The air is free of obstacles.", "The wind is below 12 m/s.")),
+        new FlightAttributes(
+            vehicle == null
+                ? null
+                : version == null ? vehicle.software() : vehicle.software() + " " + version,
+            vehicle == null ? null : vehicle.craft(),
+            limits.maxSpeed(),
+            limits.maxHeight()));
+  }
+
+  /** What the shared link tells; on its reader thread. */
+  private final class Member implements MavlinkMember {
+
+    @Override
+    public String path() {
+      return MavlinkFlightImpl.this.path();
+    }
+
+    @Override
+    public boolean commands() {
+      return true;
+    }
+
+    @Override
+    public Map<Integer, Double> streams() {
+      double rate = limits.rate();
+      return Map.of(
+          MessageIds.GLOBAL_POSITION_INT,
+          rate,
+          MessageIds.VFR_HUD,
+          rate,
+          MessageIds.EXTENDED_SYS_STATE,
+          Math.min(rate, 2),
+          MessageIds.GPS_RAW_INT,
+          Math.min(rate, 1));
+    }
+
+    @Override
+    public void found(Vehicle vehicle) {
+      picture.found(vehicle);
+      awaits = vehicle + " is heard, but has not told where it is";
+    }
+
+    @Override
+    public void heard(MavlinkMessage message) {
+      if (message instanceof Text text) {
+        log.info("{}: the autopilot says: {}", path(), text.text());
+        refusals.heard(text);
+        return;
+      }
+      picture.heard(message, clock().instant(), ticker.nanos());
+      if (readiness() == Readiness.INITIALIZING && picture.isWhole()) {
+        become(Readiness.READY);
+      }
+      tellState(message instanceof MavlinkMessage.GlobalPosition);
+    }
+
+    @Override
+    public void tend() {
+      rest.tend(port.joined());
+    }
+
+    @Override
+    public void lost(String reason) {
+      awaits = reason;
+      if (readiness().serves()) {
+        become(Readiness.INITIALIZING, reason);
+      }
+      picture.forget();
+    }
+  }
+}

@@ -1,0 +1,100 @@
+package org.dfra.drivers.uav.mavlink;
+
+import org.dfra.drivers.frame.FrameScanner;
+
+/**
+ * Finds the frames of MAVLink 2, and those of MAVLink 1, which some autopilots send until they have
+ * heard a frame of MAVLink 2.
+ *
+ * <p>Three sorts of frames are refused, and their bytes counted as dropped: those of messages that
+ * are in no known dialect, since their checksum cannot be checked; those with an incompatible flag
+ * other than "signed", as the protocol has it; and those with a wrong checksum, which are counted
+ * by themselves as well. A signed frame is taken, and its signature not looked at: there is no key.
+ */
+public final class MavlinkFramer extends FrameScanner {
+
+  static final byte MARK_1 = (byte) 0xFE;
+  static final byte MARK_2 = (byte) 0xFD;
+
+  /** Bytes before the payload. */
+  static final int HEAD_1 = 6;
+
+  static final int HEAD_2 = 10;
+
+  /** Incompatible flag: a signature follows the checksum. */
+  static final int SIGNED = 1;
+
+  private static final int CHECKSUM = 2;
+  private static final int SIGNATURE = 13;
+  private static final int LONGEST = HEAD_2 + 255 + CHECKSUM + SIGNATURE;
+
+  private volatile long checksumErrors; // written by the one thread that feeds
+
+  /** A framer at the beginning of a stream. */
+  public MavlinkFramer() {
+    super(LONGEST);
+  }
+
+  /** What looked like a frame of a known message, but for its checksum. */
+  public long checksumErrors() {
+    return checksumErrors;
+  }
+
+  @Override
+  protected int frameAt(byte[] bytes, int at, int end) {
+    int there = end - at;
+    if (bytes[at] == MARK_2) {
+      if (there > 2 && (bytes[at + 2] & ~SIGNED) != 0) {
+        return NONE;
+      }
+      if (there < HEAD_2) {
+        return NEEDS_MORE;
+      }
+      int signature = (bytes[at + 2] & SIGNED) == 0 ? 0 : SIGNATURE;
+      return frame(bytes, at, there, HEAD_2, signature, message(bytes, at));
+    }
+    if (bytes[at] != MARK_1) {
+      return NONE;
+    }
+    return there < HEAD_1 ? NEEDS_MORE : frame(bytes, at, there, HEAD_1, 0, bytes[at + 5] & 0xFF);
+  }
+
+  /** The number of the message in a frame of MAVLink 2. */
+  static int message(byte[] bytes, int at) {
+    return (bytes[at + 7] & 0xFF) | (bytes[at + 8] & 0xFF) << 8 | (bytes[at + 9] & 0xFF) << 16;
+  }
+
+  private int frame(byte[] bytes, int at, int there, int head, int signature, int message) {
+    int extra = MavlinkCatalogue.crcExtra(message);
+    if (extra == MavlinkCatalogue.UNKNOWN) {
+      return NONE;
+    }
+    int covered = head + (bytes[at + 1] & 0xFF);
+    int length = covered + CHECKSUM + signature;
+    if (there < length) {
+      return NEEDS_MORE;
+    }
+    int sum = checksum(bytes, at + 1, at + covered, extra);
+    if (bytes[at + covered] == (byte) sum && bytes[at + covered + 1] == (byte) (sum >> 8)) {
+      return length;
+    }
+    checksumErrors++;
+    return NONE;
+  }
+
+  /** CRC-16/MCRF4XX: polynomial 0x1021 reflected, begun with 0xFFFF, ended with {@code extra}. */
+  static int checksum(byte[] bytes, int from, int to, int extra) {
+    int sum = 0xFFFF;
+    for (int i = from; i < to; i++) {
+      sum = with(sum, bytes[i] & 0xFF);
+    }
+    return with(sum, extra);
+  }
+
+  /** The sum with one byte more, four bits at a time. */
+  private static int with(int sum, int value) {
+    int low = (sum ^ value) & 0xFF;
+    int mixed = (low ^ low << 4) & 0xFF;
+    return sum >> 8 ^ mixed << 8 ^ mixed << 3 ^ mixed >> 4;
+  }
+}

@@ -1,0 +1,232 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.drivers.gps.ReceiverAttributes;
+import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.GpsRaw;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.SystemTime;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.LocationReading;
+import org.dfra.flow.sensor.TimeReading;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Precondition;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.dfra.persona.SensorAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The satellite receiver of an unmanned aerial vehicle, as its autopilot passes it on: {@code
+ * GPS_RAW_INT}, with {@code SYSTEM_TIME} for the date. It is the receiver's own solution and not
+ * the autopilot's estimate, so that it means what a {@link GPSSensor} on the ground means; the
+ * estimate is in {@link MavlinkFlightImpl#flight}.
+ *
+ * <p>Parameters, besides those of {@link MavlinkSensorImpl}; to be read only: {@code satellites},
+ * {@code accuracy}.
+ *
+ * <p>The height is that above the ellipsoid. MAVLink 1 and old autopilots tell the height above
+ * mean sea level only: then the fix is 2-D and its height 0. The dilution of a 3-D fix is worked
+ * out from HDOP and VDOP. MAVLink tells one number of satellites, which counts as visible and as
+ * tracked.
+ *
+ * <p>The time of a fix is the autopilot's: since 1970 or, by way of {@code SYSTEM_TIME}, since it
+ * was switched on. While it knows no date, {@link #time} is refused, and a fix bears the time of
+ * its arrival. MAVLink does not tell whether leap seconds are known; autopilots wait for them.
+ *
+ * <p>Test, besides: {@code satellites}, at least four are used. Preconditions: those that hold for
+ * every receiver of satellites.
+ */
+public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snapshot>
+    implements GPSSensor {
+
+  private static final int ENOUGH = 4;
+
+  private static final SensorAttributes SENSOR =
+      new SensorAttributes(
+          "GpsFix",
+          List.of("continuous"),
+          1.0 / 60,
+          20,
+          null,
+          List.of("The antenna sees the open sky."));
+
+  private static final GpsReceiverAttributes RECEIVER =
+      new GpsReceiverAttributes(null, null, null, null, null, List.of("2D", "3D"));
+
+  /**
+   * What the receiver last told; immutable.
+   *
+   * @param time null while the date is not known
+   */
+  record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
+
+  private final ReceiverAttributes attributes = new ReceiverAttributes(SENSOR);
+  private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public MavlinkGpsImpl(ModuleContext context) {
+    this(context, Ticker.of(context.clock()), null);
+  }
+
+  /** For tests: by another time, and over links made in another way. */
+  MavlinkGpsImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        "satellite receiver of an autopilot, by MAVLink",
+        "GPS_RAW_INT",
+        List.of("GpsFix", "LocationReading", "TimeReading"),
+        List.of(new Precondition("speed", 0, 500, "m/s"), ReceiverKind.SATELLITES),
+        ticker,
+        source);
+    examinations().test("satellites", this::satellites);
+    declared().show("satellites", "how many it uses", () -> satellites().text());
+    declared().show("accuracy", "what the receiver takes its error for", this::accuracy);
+  }
+
+  @Override
+  Map<Integer, Double> streams(double rate) {
+    return Map.of(MessageIds.GPS_RAW_INT, rate, MessageIds.SYSTEM_TIME, Math.min(rate, 1));
+  }
+
+  @Override
+  void heard(MavlinkMessage message) {
+    if (message instanceof SystemTime time) {
+      switchedOn = time.utc() == null ? null : time.utc().minus(time.boot());
+    } else if (message instanceof GpsRaw raw) {
+      solved(raw);
+    }
+  }
+
+  private void solved(GpsRaw raw) {
+    Instant now = clock().instant();
+    @Nullable Instant utc = utc(raw.time());
+    GpsFix fix = fix(raw, utc == null ? now : utc);
+    @Nullable GeoPosition position = fix.position();
+    @Nullable Snapshot last = latest().peek();
+    if (position == null) {
+      useless("the receiver has no position, it uses " + fix.satellitesTracked() + " satellites");
+      if (last == null) {
+        return;
+      }
+      latest().amend(new Snapshot(fix, last.location(), last.time(), raw));
+    } else {
+      LocationReading location = new LocationReading(position, path(), fix.utc());
+      attributes.located(location);
+      delivered(new Snapshot(fix, location, utc == null ? null : new TimeReading(utc, now), raw));
+    }
+    tell(fix);
+  }
+
+  private @Nullable Instant utc(Duration time) {
+    if (MavlinkDecoder.isSince1970(time)) {
+      return Instant.EPOCH.plus(time);
+    }
+    return switchedOn == null ? null : switchedOn.plus(time);
+  }
+
+  private static GpsFix fix(GpsRaw raw, Instant utc) {
+    GpsFix.Mode mode = mode(raw);
+    boolean hasHeight = mode != GpsFix.Mode.FIX_2D && raw.height() != null;
+    int satellites = raw.satellites() == null ? 0 : raw.satellites();
+    return new GpsFix(
+        mode,
+        mode == GpsFix.Mode.NONE
+            ? null
+            : new GeoPosition(
+                raw.latitude(),
+                raw.longitude(),
+                hasHeight ? Objects.requireNonNull(raw.height()) : 0),
+        utc,
+        orZero(raw.speed()),
+        orZero(raw.course()),
+        mode == GpsFix.Mode.FIX_3D
+            ? Math.hypot(orZero(raw.horizontalDilution()), orZero(raw.verticalDilution()))
+            : orZero(raw.horizontalDilution()),
+        satellites,
+        satellites);
+  }
+
+  private static GpsFix.Mode mode(GpsRaw raw) {
+    return switch (raw.fixType()) {
+      case 2 -> GpsFix.Mode.FIX_2D;
+      case 3, 4, 5, 6, 8 -> raw.height() == null ? GpsFix.Mode.FIX_2D : GpsFix.Mode.FIX_3D;
+      case 7 -> GpsFix.Mode.POSITION_HOLD;
+      default -> GpsFix.Mode.NONE;
+    };
+  }
+
+  private static double orZero(@Nullable Double value) {
+    return value == null ? 0 : value;
+  }
+
+  private Finding satellites() {
+    @Nullable Snapshot now = latest().peek();
+    int used = now == null ? 0 : now.fix().satellitesTracked();
+    return new Finding(used >= ENOUGH, used + " are used, and " + ENOUGH + " are enough");
+  }
+
+  private String accuracy() {
+    @Nullable Snapshot now = latest().peek();
+    return now == null || now.raw().horizontalAccuracy() == null
+        ? "not told"
+        : String.format(
+            Locale.ROOT,
+            "horizontal %.2f m, vertical %.2f m",
+            now.raw().horizontalAccuracy(),
+            orZero(now.raw().verticalAccuracy()));
+  }
+
+  /**
+   * {@inheritDoc} It may have the mode NONE while the receiver has just lost its satellites.
+   *
+   * @throws NotReadyException if there has been none yet, or none for so long that the last one
+   *     does not count any more
+   */
+  @Override
+  public GpsFix fix() {
+    return latest().get().fix();
+  }
+
+  /**
+   * {@inheritDoc} The frame is the receiver's antenna, {@code robot/name}.
+   *
+   * @throws NotReadyException as {@link #fix}
+   */
+  @Override
+  public LocationReading location() {
+    return latest().get().location();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws NotReadyException as {@link #fix}, and while the autopilot does not know the date
+   */
+  @Override
+  public TimeReading time() {
+    @Nullable TimeReading time = latest().get().time();
+    if (time == null) {
+      throw new NotReadyException(
+          path(), readiness(), "it has positions, but the autopilot does not know the date yet");
+    }
+    return time;
+  }
+
+  @Override
+  protected List<? extends Attributes> traits() {
+    return attributes.all(RECEIVER);
+  }
+}

@@ -1,0 +1,170 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.module.Precondition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A sensor behind an autopilot: what the drivers of all of them have in common.
+ *
+ * <p>Parameters, besides those of {@link MavlinkPort}: {@code period}, seconds from one reading to
+ * the next, 0.05 to 60; default 1; can be set while it runs.
+ *
+ * <p>INITIALIZING until the first reading, and again when the link or the vehicle is lost or when
+ * no reading came for three periods and 2 s. A reading is served no longer than that either.
+ *
+ * <p>Tests: {@code link}, {@code identification}, {@code readings}; recovery: {@code reopen_link}.
+ *
+ * <p>Threads: it owns none; the shared {@link MavlinkConnection}'s reader does all the work.
+ *
+ * @param <T> what it reads; immutable
+ */
+abstract class MavlinkSensorImpl<T> extends SensorImpl {
+
+  private final Ticker ticker;
+  private final LatestReading<T> latest;
+  private final MavlinkPort port;
+  private final String expected;
+
+  private volatile double period;
+  private long uselessNanos; // confined to the reader; when something came that is no reading
+
+  /**
+   * See {@link SensorImpl}.
+   *
+   * @param expected name of the message that its readings come from
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  MavlinkSensorImpl(
+      ModuleContext context,
+      String description,
+      String expected,
+      List<String> puts,
+      List<Precondition> preconditions,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source) {
+    super(context, description, "DFRA", "1.0", puts, preconditions);
+    this.ticker = ticker;
+    this.latest =
+        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+    this.uselessNanos = ticker.nanos() - Duration.ofDays(1).toNanos();
+    this.expected = expected;
+    this.period = settings().number("period", 1, 0.05, 60);
+    this.port = new MavlinkPort(new Member(), context, ticker, source);
+    port.declareIn(examinations(), declared());
+    examinations().test("readings", port.next(path(), expected, this::longestAge));
+    declared()
+        .number(
+            "period",
+            "seconds from one reading to the next",
+            Range.of(0.05, 60, "s"),
+            () -> period,
+            value -> period = value);
+  }
+
+  /** The messages it reads, at a rate in hertz; asked again and again. */
+  abstract Map<Integer, Double> streams(double rate);
+
+  /** The vehicle's autopilot said this; on the reader thread. */
+  abstract void heard(MavlinkMessage message);
+
+  /** There is no reading any more, and whatever else is known of its source may not hold. */
+  void forget() {}
+
+  /** What was last read. */
+  final LatestReading<T> latest() {
+    return latest;
+  }
+
+  /** A reading has been taken; on the reader thread. */
+  final void delivered(T reading) {
+    latest.set(reading);
+    port.count(path());
+  }
+
+  /**
+   * The message has come, but there is no reading in it; on the reader thread.
+   *
+   * @param reason why, as a clause
+   */
+  final void useless(String reason) {
+    uselessNanos = ticker.nanos();
+    latest.awaits(reason);
+  }
+
+  private Duration longestAge() {
+    return Duration.ofMillis(Math.round(3000 * period) + 2000);
+  }
+
+  @Override
+  protected final void onStart() {
+    latest.awaits("its link is being opened");
+    port.start();
+  }
+
+  @Override
+  protected final void onClose() {
+    port.close();
+    latest.forget("it has ended");
+    forget();
+  }
+
+  /** {@inheritDoc} As wanted of the autopilot now. */
+  @Override
+  public final double updateRate() {
+    return 1 / period;
+  }
+
+  private void withoutReading(String reason) {
+    latest.lose(reason);
+    forget();
+  }
+
+  /** On the reader thread. */
+  private final class Member implements MavlinkMember {
+
+    @Override
+    public String path() {
+      return MavlinkSensorImpl.this.path();
+    }
+
+    @Override
+    public Map<Integer, Double> streams() {
+      return MavlinkSensorImpl.this.streams(updateRate());
+    }
+
+    @Override
+    public void found(Vehicle vehicle) {
+      latest.awaits(vehicle + " is heard, no " + expected + " has come yet");
+    }
+
+    @Override
+    public void heard(MavlinkMessage message) {
+      MavlinkSensorImpl.this.heard(message);
+    }
+
+    @Override
+    public void tend() {
+      if (readiness().serves() && latest.isTooOld()) {
+        boolean isUseless = ticker.nanos() - uselessNanos <= longestAge().toNanos();
+        withoutReading(
+            isUseless
+                ? latest.awaits()
+                : "no " + expected + " for " + LatestReading.seconds(longestAge()));
+      }
+    }
+
+    @Override
+    public void lost(String reason) {
+      withoutReading(reason);
+    }
+  }
+}
