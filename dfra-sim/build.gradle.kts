@@ -1,5 +1,7 @@
 dependencies {
     api(project(":dfra-core"))
+    api(project(":dfra-drivers"))
     implementation(rootProject.libs.picocli)
-    testImplementation(project(":dfra-drivers"))
+    implementation(rootProject.libs.jdom2)
+    implementation(rootProject.libs.jackson.databind)
 }

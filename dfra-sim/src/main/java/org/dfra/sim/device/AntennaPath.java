@@ -11,6 +11,11 @@ public interface AntennaPath {
   /** Where it is at {@code time}. */
   AntennaState at(Instant time);
 
+  /** Whether it hears enough satellites at {@code time} for a position. */
+  default boolean hasSky(Instant time) {
+    return true;
+  }
+
   /** Stands still. */
   static AntennaPath fixed(GeoPosition position) {
     AntennaState state = new AntennaState(position, 0, 0);

@@ -12,6 +12,8 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Arrays;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,7 +21,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It has one client at a time; a new one takes the place of the old, so that a computer that
  * fell off the network finds its device again. Bytes that come out while there is no client, or
- * while the client does not read, are lost, as on a serial line.
+ * while the client does not read, are lost, as on a serial line; a device that {@linkplain
+ * SerialDevice#keepsBytes keeps} them is asked for more when the client has taken what came before.
+ * What comes from the client is paced as by the device's line too. While the {@link #cable} is
+ * pulled, no connection lasts.
  *
  * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
  * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
@@ -30,10 +35,13 @@ public class DeviceEmulator implements AutoCloseable {
   /** Real time between two looks at the clock. */
   private static final int LOOK_EVERY_MILLIS = 5;
 
+  /** Pieces that a device that keeps its bytes sends in one look at the most. */
+  private static final int MOST_PIECES = 256;
+
   private final String name;
   private final int wantedPort;
   private final InstantSource clock;
-  private final SerialDevice device; // confined to the thread
+  private final Cable cable;
 
   private boolean begun; // guarded by this
   private boolean closed; // guarded by this
@@ -54,7 +62,7 @@ public class DeviceEmulator implements AutoCloseable {
     }
     this.name = name;
     this.wantedPort = port;
-    this.device = device;
+    this.cable = new Cable(device);
     this.clock = clock;
   }
 
@@ -113,6 +121,11 @@ public class DeviceEmulator implements AutoCloseable {
     return "tcp://" + InetAddress.getLoopbackAddress().getHostAddress() + ":" + port();
   }
 
+  /** The cable to the device, to have something wrong with it. */
+  public final Cable cable() {
+    return cable;
+  }
+
   /** Waits until it has been closed. */
   public final void await() throws InterruptedException {
     Thread worker;
@@ -153,7 +166,9 @@ public class DeviceEmulator implements AutoCloseable {
         chosen.select(LOOK_EVERY_MILLIS);
         chosen.selectedKeys().clear();
         SocketChannel caller = listening.accept();
-        if (caller != null) {
+        if (caller != null && cable.isPulled()) {
+          caller.close();
+        } else if (caller != null) {
           client = replace(client, caller, chosen);
         }
         client = exchange(client, clock.instant());
@@ -171,39 +186,58 @@ public class DeviceEmulator implements AutoCloseable {
       throws IOException {
     if (old != null) {
       old.close();
+      cable.disconnected();
     }
-    device.connected();
+    cable.connected();
     return new Client(caller, chosen);
   }
 
   /** One look: what the client says to the device, what the device says to the client. */
   private @Nullable Client exchange(@Nullable Client client, Instant now) {
-    boolean isThere = client != null;
-    if (client != null) {
-      isThere = client.read((bytes, length) -> device.receive(bytes, 0, length, now));
-    }
-    ByteBuffer out = ByteBuffer.allocate(4096);
-    device.transmit(out, now);
-    out.flip();
     if (client == null) {
+      byte[] unused = cable.pass(now);
       return null;
     }
-    if (isThere && client.write(out)) {
+    boolean isThere = client.read(bytes -> cable.send(bytes, now));
+    if (isThere
+        && !cable.isPulled()
+        && (cable.keepsBytes()
+            ? sendAll(client, now)
+            : client.write(ByteBuffer.wrap(cable.pass(now))))) {
       return client;
     }
     client.close();
+    cable.disconnected();
     return null;
+  }
+
+  /** Sends all there is, as far as the network takes it. False when the client has gone. */
+  private boolean sendAll(Client client, Instant now) {
+    for (int piece = 0; piece < MOST_PIECES; piece++) {
+      if (!client.unsent.hasRemaining()) {
+        client.unsent = ByteBuffer.wrap(cable.pass(now));
+      }
+      if (!client.unsent.hasRemaining()) {
+        return true;
+      }
+      if (!client.write(client.unsent)) {
+        return false;
+      }
+      if (client.unsent.hasRemaining()) {
+        return true;
+      }
+    }
+    return true;
   }
 
   /** A connection, non-blocking. */
   private static final class Client {
 
-    private interface Sink {
-      void bytes(byte[] bytes, int length);
-    }
-
     private final SocketChannel channel;
     private final ByteBuffer in = ByteBuffer.allocate(1024);
+
+    /** What a device that keeps its bytes has sent, and the network has not taken yet. */
+    private ByteBuffer unsent = ByteBuffer.allocate(0);
 
     Client(SocketChannel channel, Selector selector) throws IOException {
       this.channel = channel;
@@ -213,12 +247,12 @@ public class DeviceEmulator implements AutoCloseable {
     }
 
     /** Takes what has come; false when the client has gone. */
-    boolean read(Sink sink) {
+    boolean read(Consumer<byte[]> sink) {
       try {
         in.clear();
         int count = channel.read(in);
         if (count > 0) {
-          sink.bytes(in.array(), count);
+          sink.accept(Arrays.copyOf(in.array(), count));
         }
         return count >= 0;
       } catch (IOException e) {
@@ -226,7 +260,7 @@ public class DeviceEmulator implements AutoCloseable {
       }
     }
 
-    /** Sends what the network takes now; the rest is lost. False when the client has gone. */
+    /** Sends what the network takes now; the rest stays. False when the client has gone. */
     boolean write(ByteBuffer out) {
       try {
         if (out.hasRemaining()) {

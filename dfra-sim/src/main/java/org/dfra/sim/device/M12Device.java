@@ -55,6 +55,11 @@ public final class M12Device implements SerialDevice {
   }
 
   @Override
+  public int baud() {
+    return line.baud();
+  }
+
+  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
     commands.feed(bytes, offset, length);
@@ -188,6 +193,6 @@ public final class M12Device implements SerialDevice {
   }
 
   private boolean hasFix(Instant time) {
-    return powerOn != null && !time.isBefore(powerOn.plus(timeToFirstFix));
+    return powerOn != null && !time.isBefore(powerOn.plus(timeToFirstFix)) && path.hasSky(time);
   }
 }

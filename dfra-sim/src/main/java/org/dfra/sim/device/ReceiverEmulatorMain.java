@@ -16,8 +16,9 @@ import picocli.CommandLine.Spec;
 
 /**
  * An emulated GPS receiver as a process of its own. Prints {@code listening on
- * tcp://127.0.0.1:PORT} when it is ready, and runs until it is terminated. Exit status 2 when an
- * option is wrong, 1 when the port cannot be had.
+ * tcp://127.0.0.1:PORT} when it is ready, and {@code listening on serial:FILE} where it is to have
+ * a terminal too, and runs until it is terminated. Exit status 2 when an option is wrong, 1 when
+ * port or terminal cannot be had.
  */
 @Command(
     name = "receiver-emulator",
@@ -73,6 +74,11 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
       description = "Bits per second of the line. Default: ${DEFAULT-VALUE}.")
   private int baud;
 
+  @Option(
+      names = "--terminal",
+      description = "Have a pseudo-terminal as well, which drivers take for a serial port.")
+  private boolean terminal;
+
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
@@ -89,8 +95,13 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     try (DeviceEmulator emulator = emulator()) {
       emulator.start();
-      Runtime.getRuntime().addShutdownHook(new Thread(emulator::close, "emulator end"));
+      PseudoTerminal port = new PseudoTerminal(word(), emulator);
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> end(port, emulator), "emulator end"));
       out.println("listening on " + emulator.url());
+      if (terminal) {
+        port.start();
+        out.println("listening on " + port.url());
+      }
       out.flush();
       emulator.await();
       return 0;
@@ -98,6 +109,15 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
       spec.commandLine().getErr().println(e.getMessage());
       return 1;
     }
+  }
+
+  private static void end(PseudoTerminal port, DeviceEmulator emulator) {
+    port.close();
+    emulator.close();
+  }
+
+  private String word() {
+    return protocol.name().toLowerCase(Locale.ROOT);
   }
 
   private DeviceEmulator emulator() {
@@ -110,8 +130,7 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
             case UBX -> new UbxDevice(path, baud, Duration.ZERO);
             case GPSD -> new GpsdDevice(path, baud, Duration.ZERO);
           };
-      return new DeviceEmulator(
-          protocol.name().toLowerCase(Locale.ROOT), port, device, Clock.systemUTC());
+      return new DeviceEmulator(word(), port, device, Clock.systemUTC());
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
     }

@@ -5,24 +5,24 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /** When a message is sent again. Confined to its device's thread. */
-final class Schedule {
+public final class Schedule {
 
   private Duration period = Duration.ZERO;
   private Instant next = Instant.MAX;
 
   /** Every so many seconds from now on; 0 is never. */
-  void set(int seconds, Instant now) {
+  public void set(int seconds, Instant now) {
     set(Duration.ofSeconds(seconds), now);
   }
 
   /** Every so often from now on; zero is never. */
-  void set(Duration every, Instant now) {
+  public void set(Duration every, Instant now) {
     period = every;
     next = every.isZero() ? Instant.MAX : now.plus(period);
   }
 
   /** The last time due by now; null when there is none. Times slept through are left out. */
-  @Nullable Instant due(Instant now) {
+  public @Nullable Instant due(Instant now) {
     if (period.isZero()) {
       return null;
     }

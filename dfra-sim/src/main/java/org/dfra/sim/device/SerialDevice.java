@@ -25,6 +25,25 @@ public interface SerialDevice {
    */
   void transmit(ByteBuffer out, Instant time);
 
+  /**
+   * Bits per second of its line now, by which what comes from the computer is paced; what it sends
+   * it paces itself. 0 where it is on no serial line, and everything comes at once.
+   */
+  default int baud() {
+    return 0;
+  }
+
+  /**
+   * Whether bytes that the computer does not take at once are kept for it, as on a network. On a
+   * serial line they are lost.
+   */
+  default boolean keepsBytes() {
+    return false;
+  }
+
   /** A new computer is on the line; devices that are not on a serial line begin anew for it. */
   default void connected() {}
+
+  /** The computer has left the line; devices that are not on a serial line notice. */
+  default void disconnected() {}
 }

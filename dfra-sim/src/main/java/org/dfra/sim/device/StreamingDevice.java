@@ -56,6 +56,11 @@ abstract class StreamingDevice implements SerialDevice {
   }
 
   @Override
+  public final int baud() {
+    return line.baud();
+  }
+
+  @Override
   public final void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
     obey(bytes, offset, length, time);
@@ -76,7 +81,8 @@ abstract class StreamingDevice implements SerialDevice {
     }
     Instant due = schedule.due(time);
     if (due != null && talks && line.waitingBytes() <= LONGEST_QUEUE) {
-      tell(due, !due.isBefore(on.plus(timeToFirstFix)), path.at(due));
+      boolean hasFix = !due.isBefore(on.plus(timeToFirstFix)) && path.hasSky(due);
+      tell(due, hasFix, path.at(due));
     }
   }
 }

@@ -4,11 +4,12 @@
  *
  * <pre>
  *   AntennaPath ---&gt; SerialDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
- *   where it is      what it says      how fast       over what
- *                    M12Device, NmeaDevice, UbxDevice, GpsdDevice
+ *   where it is      what it says      how fast  '-&gt; SimPort        &lt;==sim==&gt; a driver
+ *                    M12Device, NmeaDevice, ...       over what
  * </pre>
  *
  * <p>Enter at {@link org.dfra.sim.device.DeviceEmulator} for a device behind a TCP port, at {@link
+ * org.dfra.sim.device.SimPort} for one in lock-step with its driver, at {@link
  * org.dfra.sim.device.ReceiverEmulatorMain} for a receiver as a process. A {@link
  * org.dfra.sim.device.SerialDevice} is the protocol alone and knows no thread: it can be stepped
  * together with a clock.

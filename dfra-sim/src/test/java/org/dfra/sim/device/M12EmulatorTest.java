@@ -2,7 +2,7 @@ package org.dfra.sim.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.awaitility.Awaitility.await;
+import static org.dfra.sim.device.Modules.await;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The device over TCP, its clock stepped by the test. */
-@Timeout(30)
+@Timeout(120)
 class M12EmulatorTest {
 
   private static final byte[] HA_ONCE = HexFormat.of().parseHex("4040486100290d0a");
@@ -153,18 +153,10 @@ class M12EmulatorTest {
             });
   }
 
-  /** How many bytes there are once no more come, as long as the clock stands. */
-  private static int settled(Socket client) {
-    int[] last = {-1};
-    await()
-        .during(Duration.ofMillis(100)) // the emulator looks at its clock every 5 ms
-        .until(
-            () -> {
-              int there = client.getInputStream().available();
-              boolean same = there == last[0];
-              last[0] = there;
-              return same;
-            });
-    return last[0];
+  /** How many bytes there are when the emulator has sent all that is due as the clock stands. */
+  private int settled(Socket client) throws IOException {
+    long before = clock.looks();
+    await().until(() -> clock.looks() > before + 1);
+    return client.getInputStream().available();
   }
 }

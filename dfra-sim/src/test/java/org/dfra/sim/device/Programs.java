@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
@@ -12,6 +13,11 @@ import java.util.List;
 final class Programs {
 
   private Programs() {}
+
+  /** Skips the test where the program is not installed. */
+  static void require(String program) {
+    assertThat(find(program)).isNotEmpty();
+  }
 
   /** Where the program is; skips the test where it is not installed. */
   static String find(String program) {

@@ -2,17 +2,16 @@ package org.dfra.sim.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.awaitility.Awaitility.await;
+import static org.dfra.sim.device.Modules.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.dfra.core.config.Parameters;
+import org.dfra.core.host.FreePorts;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.gpsd.GpsdImpl;
@@ -27,11 +26,10 @@ import org.junit.jupiter.api.io.TempDir;
  * The driver on a real gpsd, which reads an emulated receiver of NMEA: both our parsers and our
  * emulator against somebody else's. Skipped where gpsd is not installed.
  */
-@Timeout(120)
+@Timeout(240)
 class RealGpsdTest {
 
   private static final GeoPosition PLACE = new GeoPosition(52.910313611, -6.866706667, 55.91);
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   @TempDir private Path folder;
 
@@ -41,29 +39,28 @@ class RealGpsdTest {
     NmeaDevice device = new NmeaDevice(AntennaPath.fixed(PLACE), 38_400, Duration.ZERO);
     try (DeviceEmulator receiver = new DeviceEmulator("nmea", 0, device, Clock.systemUTC())) {
       receiver.start();
-      int port = freePort();
+      int port = FreePorts.next();
       Process gpsd = gpsd(program, port, receiver.url());
       try (ReceiverImpl<?> gps = driver("tcp://127.0.0.1:" + port)) {
         gps.start();
-        await().atMost(PATIENCE).until(gps::readiness, Readiness.READY::equals);
+        await().until(gps::readiness, Readiness.READY::equals);
         // Its first report may not have the height yet.
-        await().atMost(PATIENCE).until(() -> gps.fix().mode() == GpsFix.Mode.FIX_3D);
-        GpsFix fix = gps.fix();
+        GpsFix fix = await().until(gps::fix, told -> told.mode() == GpsFix.Mode.FIX_3D);
         assertThat(fix.position().latitude()).isCloseTo(PLACE.latitude(), within(1e-8));
         assertThat(fix.position().longitude()).isCloseTo(PLACE.longitude(), within(1e-8));
         // gpsd may have its own geoid: it adds back what it took from GGA.
         assertThat(fix.position().height()).isCloseTo(PLACE.height(), within(0.02));
         assertThat(gps.time().hostOffset().abs()).isLessThan(Duration.ofSeconds(5));
-        await().atMost(PATIENCE).until(() -> gps.satellites().size() == 9);
+        await().until(() -> gps.satellites().size() == 9);
         assertThat(gps.counts().malformed()).isZero();
         assertThat(gps.counts().droppedBytes()).isZero();
         assertThat(gps.test("identification").finding()).startsWith("it says it is gpsd 3.");
         assertThat(gps.receiver().softwareVersion()).startsWith("3.");
 
         Programs.end(gpsd); // and it is started again
-        await().atMost(PATIENCE).until(gps::readiness, Readiness.INITIALIZING::equals);
+        await().until(gps::readiness, Readiness.INITIALIZING::equals);
         gpsd = gpsd(program, port, receiver.url());
-        await().atMost(PATIENCE).until(gps::readiness, Readiness.READY::equals);
+        await().until(gps::readiness, Readiness.READY::equals);
         assertThat(gps.history().failures()).isEqualTo(1);
       } finally {
         Programs.end(gpsd);
@@ -82,11 +79,5 @@ class RealGpsdTest {
     return new GpsdImpl(
         new ModuleContext(
             "atrv1", "gps", Parameters.of("atrv1/gps", Map.of("link", link)), Clock.systemUTC()));
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    }
   }
 }

@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -18,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The emulator as a process. */
-@Timeout(60)
+@Timeout(180)
 class ReceiverEmulatorMainTest {
 
   @Test
@@ -39,8 +42,29 @@ class ReceiverEmulatorMainTest {
         assertThat(message.position().height()).isEqualTo(120);
       }
       assertThat(process.toHandle().destroy()).isTrue(); // SIGTERM, leaving its output open
-      assertThat(process.waitFor(10, TimeUnit.SECONDS)).as("ended by SIGTERM").isTrue();
+      assertThat(process.waitFor(60, TimeUnit.SECONDS)).as("ended by SIGTERM").isTrue();
       assertThat(out.readLine()).as("a second line").isNull();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  @Test
+  void hasATerminalUntilItIsTerminated() throws Exception {
+    Programs.require("socat");
+    Process process = launch("--protocol=NMEA", "--baud=38400", "--terminal");
+    try {
+      BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+      assertThat(out.readLine()).startsWith("listening on tcp://127.0.0.1:");
+      String line = out.readLine();
+      assertThat(line).startsWith("listening on serial:").endsWith("/nmea");
+      Path port = Path.of(line.substring(line.indexOf(':') + 1));
+      try (InputStream in = Files.newInputStream(port)) {
+        assertThat(new String(in.readNBytes(7), StandardCharsets.US_ASCII)).isEqualTo("$GNRMC,");
+      }
+      assertThat(process.toHandle().destroy()).isTrue(); // SIGTERM, leaving its output open
+      assertThat(process.waitFor(60, TimeUnit.SECONDS)).as("ended by SIGTERM").isTrue();
+      assertThat(port.getParent()).doesNotExist();
     } finally {
       process.destroyForcibly();
     }

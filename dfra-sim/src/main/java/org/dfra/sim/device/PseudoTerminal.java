@@ -1,0 +1,256 @@
+package org.dfra.sim.device;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A serial port that leads to an emulated device, for drivers that want a {@code serial:} link:
+ * {@code socat} joins a pseudo-terminal and the emulator's TCP port.
+ *
+ * <p>While the device's {@link Cable} is pulled there is no such port, as with one on USB; it comes
+ * back under the same name.
+ *
+ * <p>{@link #start} starts the one thread, {@code name terminal}, which owns one process of socat
+ * after the other; {@link #close} ends both, and removes the port's folder. Both do nothing the
+ * second time.
+ */
+public final class PseudoTerminal implements AutoCloseable {
+
+  private static final long PATIENCE_SECONDS = 20;
+  private static final long RETRY_MILLIS = 100; // real time
+
+  /** What socat says when both its ends are open. */
+  private static final String READY = "starting data transfer loop";
+
+  private final String name;
+  private final DeviceEmulator emulator;
+  private final String programs;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  // all guarded by lock
+  private @Nullable Path port;
+  private @Nullable Thread thread;
+  private @Nullable Process socat;
+  private boolean closed;
+  private boolean ready;
+  private String trouble = "socat has said nothing";
+
+  /**
+   * @param name what the port's file is called
+   * @param emulator where it leads; started, and not closed before this
+   */
+  public PseudoTerminal(String name, DeviceEmulator emulator) {
+    this(name, emulator, System.getenv().getOrDefault("PATH", ""));
+  }
+
+  /**
+   * @param programs the folders that socat is looked for in
+   */
+  PseudoTerminal(String name, DeviceEmulator emulator, String programs) {
+    this.name = name;
+    this.emulator = emulator;
+    this.programs = programs;
+  }
+
+  /**
+   * Makes the port; returns when it is there.
+   *
+   * @throws IOException if socat is not installed or does not do it
+   * @throws IllegalStateException if the emulator does not listen
+   */
+  public void start() throws IOException {
+    lock.lock();
+    try {
+      if (closed) {
+        throw new IllegalStateException("this terminal was closed; make a new one");
+      }
+      if (thread != null) {
+        return;
+      }
+      Path program = program();
+      int leadsTo = emulator.port();
+      Path made = Files.createTempDirectory("dfra-port").resolve(name);
+      port = made;
+      Thread keeper = new Thread(() -> keep(program, leadsTo, made), name + " terminal");
+      keeper.setDaemon(true);
+      thread = keeper;
+      keeper.start();
+      awaitReady();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Path program() throws IOException {
+    for (String folder : programs.split(File.pathSeparator, -1)) {
+      Path program = Path.of(folder, "socat");
+      if (!folder.isEmpty() && Files.isExecutable(program)) {
+        return program;
+      }
+    }
+    throw new IOException(
+        "a pseudo-terminal needs the program socat, which is in no folder of PATH ("
+            + programs
+            + "); install it, or use the link "
+            + emulator.url());
+  }
+
+  private void awaitReady() throws IOException {
+    long left = TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    try {
+      while (!ready && left > 0) {
+        left = changed.awaitNanos(left);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (!ready) {
+      throw new IOException(
+          port + " is not there after " + PATIENCE_SECONDS + " s; socat says: " + trouble);
+    }
+  }
+
+  /** The link a driver finds the device at: {@code serial:file}. */
+  public String url() {
+    lock.lock();
+    try {
+      if (port == null) {
+        throw new IllegalStateException("there is no port yet; start the terminal first");
+      }
+      return "serial:" + port;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    Thread keeper;
+    lock.lock();
+    try {
+      closed = true;
+      changed.signalAll();
+      if (socat != null) {
+        socat.destroy();
+      }
+      keeper = thread;
+    } finally {
+      lock.unlock();
+    }
+    if (keeper == null) {
+      return;
+    }
+    try {
+      keeper.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void keep(Path program, int leadsTo, Path made) {
+    try {
+      while (mayGoOn()) {
+        if (!emulator.cable().isPulled()) {
+          join(program, leadsTo, made);
+        }
+        pause();
+      }
+    } catch (IOException e) {
+      note(String.valueOf(e.getMessage()));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      remove(made);
+    }
+  }
+
+  private boolean mayGoOn() {
+    lock.lock();
+    try {
+      return !closed;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Runs socat to its end. */
+  private void join(Path program, int leadsTo, Path made) throws IOException, InterruptedException {
+    Files.deleteIfExists(made);
+    Process process =
+        new ProcessBuilder(
+                List.of(
+                    program.toString(),
+                    "-d",
+                    "-d", // notices, and with them READY
+                    "tcp:127.0.0.1:" + leadsTo,
+                    "pty,raw,echo=0,link=" + made))
+            .redirectErrorStream(true)
+            .start();
+    own(process);
+    try (BufferedReader said = process.inputReader(StandardCharsets.UTF_8)) {
+      for (String line = said.readLine(); line != null; line = said.readLine()) {
+        note(line);
+      }
+    } finally {
+      own(null);
+      process.destroy();
+      if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+        process.destroyForcibly().waitFor();
+      }
+    }
+  }
+
+  private void own(@Nullable Process process) {
+    lock.lock();
+    try {
+      socat = process;
+      if (closed && process != null) {
+        process.destroy();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void note(String line) {
+    lock.lock();
+    try {
+      ready |= line.contains(READY);
+      trouble = line;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void pause() throws InterruptedException {
+    lock.lock();
+    try {
+      long left = TimeUnit.MILLISECONDS.toNanos(RETRY_MILLIS);
+      while (!closed && left > 0) {
+        left = changed.awaitNanos(left);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static void remove(Path made) {
+    try {
+      Files.deleteIfExists(made);
+      Files.deleteIfExists(made.toAbsolutePath().getParent());
+    } catch (IOException e) {
+      // an empty folder stays behind among the temporary ones
+    }
+  }
+}

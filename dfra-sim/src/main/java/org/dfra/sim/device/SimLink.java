@@ -1,0 +1,161 @@
+package org.dfra.sim.device;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.link.SimAddress;
+import org.dfra.drivers.link.Ticker;
+
+/** The computer's end of a link to a simulated device. */
+final class SimLink implements SerialLink {
+
+  /** What a driver may leave unread; what comes beyond that is lost. */
+  private static final int ROOM = 65_536;
+
+  /** Looks at the device that bytes may wait for more to come. */
+  private static final int LONGEST_HOLD = 4;
+
+  private final SimAddress address;
+  private final Ticker ticker;
+  private final Cable cable;
+  private final InstantSource clock;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed;
+  // all guarded by lock
+  private final byte[] unread = new byte[ROOM];
+  private int filled;
+  private int looks; // since the first of them came, or the reader was woken
+  private boolean open = true;
+  private boolean lost;
+
+  /**
+   * @param ticker the time to wait by
+   * @param cable takes what is written
+   * @param clock the same time
+   */
+  SimLink(SimAddress address, Ticker ticker, Cable cable, InstantSource clock) {
+    this.address = address;
+    this.ticker = ticker;
+    this.cable = cable;
+    this.clock = clock;
+    this.changed = ticker.newCondition(lock);
+  }
+
+  /**
+   * The device's bytes have come, if any.
+   *
+   * @param paused whether the line is silent now, so that the reader is to have what there is;
+   *     otherwise it gets it with what follows, {@value #LONGEST_HOLD} looks later at the latest
+   */
+  void arrive(byte[] bytes, boolean paused) {
+    lock.lock();
+    try {
+      int count = Math.min(bytes.length, ROOM - filled);
+      System.arraycopy(bytes, 0, unread, filled, count);
+      filled += count;
+      looks = filled == 0 ? 0 : looks + 1;
+      if (filled > 0 && (paused || looks >= LONGEST_HOLD)) {
+        looks = 0;
+        changed.signalAll();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** There is no device any more; what has come can still be read. */
+  void lose() {
+    lock.lock();
+    try {
+      lost = true;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public int read(byte[] buffer, int offset, int length, Duration timeout) {
+    lock.lock();
+    try {
+      long begin = ticker.nanos();
+      long left = timeout.toNanos();
+      while (open && !lost && filled == 0 && left > 0) {
+        ticker.await(changed, left);
+        left = timeout.toNanos() - (ticker.nanos() - begin);
+      }
+      return take(buffer, offset, length);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      open = false;
+      return -1;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private int take(byte[] buffer, int offset, int length) {
+    if (!open || (lost && filled == 0)) {
+      open = false;
+      return -1;
+    }
+    int count = Math.min(length, filled);
+    System.arraycopy(unread, 0, buffer, offset, count);
+    System.arraycopy(unread, count, unread, 0, filled - count);
+    filled -= count;
+    return count;
+  }
+
+  @Override
+  public void write(byte[] bytes) throws IOException {
+    requireOpen();
+    cable.send(bytes.clone(), clock.instant());
+  }
+
+  /** {@inheritDoc} Until then it follows the device. */
+  @Override
+  public void setBaud(int baud) throws IOException {
+    requireOpen();
+    if (baud < 1 || baud > UartLine.FASTEST) {
+      throw new IOException(
+          address + ": baud rate " + baud + " is outside 1 to " + UartLine.FASTEST);
+    }
+    cable.setPortBaud(baud);
+  }
+
+  private void requireOpen() throws IOException {
+    if (!isOpen()) {
+      throw new IOException(address + ": the simulated device is lost, or the link was closed");
+    }
+  }
+
+  @Override
+  public boolean isOpen() {
+    lock.lock();
+    try {
+      return open && !lost;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    lock.lock();
+    try {
+      open = false;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public String toString() {
+    return address.toString();
+  }
+}

@@ -1,0 +1,79 @@
+package org.dfra.sim.device.camera;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dfra.sim.body.CameraView.Frame;
+
+/**
+ * Frames as a camera encodes them, the same bytes for the same frame. Needs no display. Confined to
+ * one thread.
+ */
+public final class FrameEncoder {
+
+  private static final float QUALITY = 0.85f;
+  private static final int MOST_LEVEL = 0xFFFF;
+
+  private final boolean isThermal;
+  private final ImageWriter writer;
+  private final ImageWriteParam settings;
+
+  /**
+   * @param isThermal whether frames are grey with 16 bits, encoded as PNG, or colours, as JPEG
+   */
+  public FrameEncoder(boolean isThermal) {
+    this.isThermal = isThermal;
+    this.writer = ImageIO.getImageWritersByFormatName(isThermal ? "png" : "jpeg").next();
+    this.settings = writer.getDefaultWriteParam();
+    if (!isThermal) {
+      settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+      settings.setCompressionQuality(QUALITY);
+    }
+  }
+
+  /** {@code image/png} or {@code image/jpeg}. */
+  public String mediaType() {
+    return isThermal ? "image/png" : "image/jpeg";
+  }
+
+  /** The bytes of a frame. */
+  public byte[] encode(Frame frame) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (MemoryCacheImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
+      writer.setOutput(out);
+      writer.write(
+          null, new IIOImage(isThermal ? heat(frame) : light(frame), null, null), settings);
+    } catch (IOException e) {
+      throw new UncheckedIOException("a frame cannot be encoded: " + e.getMessage(), e);
+    } finally {
+      writer.reset();
+    }
+    return bytes.toByteArray();
+  }
+
+  private static BufferedImage light(Frame frame) {
+    BufferedImage image =
+        new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB);
+    image.setRGB(0, 0, frame.width(), frame.height(), frame.samples(), 0, frame.width());
+    return image;
+  }
+
+  private static BufferedImage heat(Frame frame) {
+    BufferedImage image =
+        new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_USHORT_GRAY);
+    WritableRaster raster = image.getRaster();
+    int[] levels = new int[frame.samples().length];
+    for (int i = 0; i < levels.length; i++) {
+      levels[i] = Math.max(0, Math.min(MOST_LEVEL, frame.samples()[i]));
+    }
+    raster.setSamples(0, 0, frame.width(), frame.height(), 0, levels);
+    return image;
+  }
+}

@@ -1,0 +1,180 @@
+package org.dfra.sim.device.camera;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Base64;
+import java.util.Locale;
+import org.dfra.sim.body.CameraView;
+import org.dfra.sim.device.SerialDevice;
+
+/**
+ * A network camera between its socket and its lens: it answers one request of HTTP, with a stream
+ * of images at its frame rate or with an error, and begins anew with the next connection.
+ *
+ * <p>The network is as fast as whoever reads. Where that is slower than the frames, frames are left
+ * out, never parts of them; it looks only at frames that it sends.
+ */
+public final class MjpegDevice implements SerialDevice {
+
+  private static final int LONGEST_REQUEST = 8192;
+  private static final String BOUNDARY = "dfra-frame";
+
+  private enum State {
+    LISTENING,
+    STREAMING,
+    SILENT
+  }
+
+  private final CameraView view;
+  private final MjpegOptions options;
+  private final FrameEncoder encoder;
+  private final Duration period;
+  private final StringBuilder request = new StringBuilder();
+  private final ArrayDeque<ByteBuffer> waiting = new ArrayDeque<>();
+  private State state = State.SILENT; // until somebody connects
+  private Instant next = Instant.MAX; // when the next frame is due
+
+  /**
+   * @param view what it sees
+   * @param options how it is set up
+   */
+  public MjpegDevice(CameraView view, MjpegOptions options) {
+    this.view = view;
+    this.options = options;
+    this.encoder = new FrameEncoder(options.isThermal());
+    this.period = Duration.ofNanos(Math.round(1e9 / options.frameRate()));
+  }
+
+  @Override
+  public boolean keepsBytes() {
+    return true;
+  }
+
+  @Override
+  public void connected() {
+    begin(State.LISTENING);
+  }
+
+  @Override
+  public void disconnected() {
+    begin(State.SILENT);
+  }
+
+  private void begin(State first) {
+    state = first;
+    request.setLength(0);
+    waiting.clear();
+    next = Instant.MAX;
+  }
+
+  @Override
+  public void receive(byte[] bytes, int offset, int length, Instant time) {
+    if (state != State.LISTENING) {
+      return;
+    }
+    request.append(new String(bytes, offset, length, StandardCharsets.ISO_8859_1));
+    if (request.indexOf("\r\n\r\n") >= 0) {
+      answer(time);
+    } else if (request.length() > LONGEST_REQUEST) {
+      refuse("431 Request Header Fields Too Large", "");
+    }
+  }
+
+  private void answer(Instant time) {
+    String[] lines = request.toString().split("\r\n");
+    String[] words = lines[0].split(" ");
+    if (words.length != 3 || !words[2].startsWith("HTTP/1.")) {
+      refuse("400 Bad Request", "");
+    } else if (!words[0].equals("GET")) {
+      refuse("405 Method Not Allowed", "Allow: GET\r\n");
+    } else if (!knows(lines)) {
+      refuse("401 Unauthorized", "WWW-Authenticate: Basic realm=\"camera\"\r\n");
+    } else if (!words[1].equals(options.path())) {
+      refuse("404 Not Found", "");
+    } else {
+      state = State.STREAMING;
+      next = time;
+      say(
+          "HTTP/1.0 200 OK\r\nServer: camera\r\nConnection: close\r\nCache-Control: no-cache\r\n"
+              + "Content-Type: multipart/x-mixed-replace;boundary="
+              + BOUNDARY
+              + "\r\n\r\n");
+    }
+  }
+
+  private boolean knows(String[] lines) {
+    String credentials = options.credentials();
+    if (credentials == null) {
+      return true;
+    }
+    byte[] expected = credentials.getBytes(StandardCharsets.UTF_8);
+    String header = "authorization: basic ";
+    for (String line : lines) {
+      if (line.toLowerCase(Locale.ROOT).startsWith(header)) {
+        return line.substring(header.length())
+            .strip()
+            .equals(Base64.getEncoder().encodeToString(expected));
+      }
+    }
+    return false;
+  }
+
+  private void refuse(String status, String header) {
+    state = State.SILENT;
+    String body = status + "\n";
+    say(
+        "HTTP/1.0 "
+            + status
+            + "\r\n"
+            + header
+            + "Content-Type: text/plain\r\nContent-Length: "
+            + body.length()
+            + "\r\nConnection: close\r\n\r\n"
+            + body);
+  }
+
+  @Override
+  public void transmit(ByteBuffer out, Instant time) {
+    if (state == State.STREAMING && waiting.isEmpty() && !time.isBefore(next)) {
+      shoot(time);
+    }
+    for (ByteBuffer head = waiting.peek(); head != null && out.hasRemaining(); ) {
+      int count = Math.min(head.remaining(), out.remaining());
+      out.put(head.slice().limit(count));
+      head.position(head.position() + count);
+      if (!head.hasRemaining()) {
+        waiting.remove();
+        head = waiting.peek();
+      }
+    }
+  }
+
+  private void shoot(Instant time) {
+    long missed = Duration.between(next, time).dividedBy(period);
+    Instant due = next.plus(period.multipliedBy(missed));
+    next = due.plus(period);
+    byte[] image = encoder.encode(view.look(due));
+    say(
+        "--"
+            + BOUNDARY
+            + "\r\nContent-Type: "
+            + encoder.mediaType()
+            + "\r\n"
+            + (options.tellsLength() ? "Content-Length: " + image.length + "\r\n" : "")
+            + (options.tellsTime() ? "X-Timestamp: " + seconds(due) + "\r\n" : "")
+            + "\r\n");
+    waiting.add(ByteBuffer.wrap(image));
+    say("\r\n");
+  }
+
+  private static String seconds(Instant time) {
+    return String.format(Locale.ROOT, "%d.%06d", time.getEpochSecond(), time.getNano() / 1000);
+  }
+
+  private void say(String text) {
+    waiting.add(ByteBuffer.wrap(text.getBytes(StandardCharsets.ISO_8859_1)));
+  }
+}

@@ -1,0 +1,253 @@
+package org.dfra.sim.device.drive;
+
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.sim.body.BatteryBody;
+import org.dfra.sim.body.DriveBody;
+import org.dfra.sim.body.DriveBody.Travel;
+import org.dfra.sim.device.Schedule;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.UartLine;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What an rFLEX controller does between its wires, its motors and its battery.
+ *
+ * <p>Commands: set velocity (2/7), report request (2/34), defaults (2/10), set and release brake
+ * (2/11, 2/12), status (1/1). Everything else, and every damaged command, is ignored, and so is a
+ * velocity while the brake is set.
+ *
+ * <p>When it is switched on, that is first used, its brake is set, its counts are 0 and it reports
+ * nothing. It has a failsafe as the real one is said to have: when no velocity has come for {@link
+ * #FAILSAFE}, it brakes the wheels by {@value #STOPPING} m/s², so that they stand within half a
+ * second of the last velocity from 1 m/s. Whoever switches it off and on puts another in its place,
+ * with the same wheels.
+ */
+public final class RflexDevice implements SerialDevice {
+
+  /** Bits per second of its line. */
+  public static final int BAUD = 115_200;
+
+  /** Counts for a metre. */
+  public static final double PER_METRE = 87_462.73;
+
+  /** Counts for a radian. */
+  public static final double PER_RADIAN = 36_277.67;
+
+  /** How long it goes on without a velocity. */
+  public static final Duration FAILSAFE = Duration.ofMillis(300);
+
+  /** By which it stops the wheels then, metres per second squared. */
+  public static final double STOPPING = 6;
+
+  /** The same about z, radians per second squared; from 2 rad/s it takes as long. */
+  private static final double TURN_STOPPING = 12;
+
+  private static final double USUAL_ACCELERATION = 0.5;
+  private static final double OFFSET_VOLTS = 1.2;
+
+  /** With more than this waiting the line is too slow for what was asked; a report is left out. */
+  private static final int LONGEST_QUEUE = 1024;
+
+  /** One axis as it was told. */
+  private static final class Axis {
+    final double perUnit;
+    final int first;
+    double speed;
+    double acceleration = USUAL_ACCELERATION;
+    double begin; // of the wheels, when it was switched on
+
+    Axis(double perUnit, int first) {
+      this.perUnit = perUnit;
+      this.first = first;
+    }
+
+    int count(double travelled) {
+      return first + (int) Math.round((travelled - begin) * perUnit); // wraps around
+    }
+
+    int rate(double speedNow) {
+      return (int) Math.round(speedNow * perUnit);
+    }
+
+    void stop(double by) {
+      speed = 0;
+      acceleration = by;
+    }
+  }
+
+  private final DriveBody wheels;
+  private final BatteryBody battery;
+  private final UartLine line = new UartLine(BAUD);
+  private final RflexCommandReader commands = new RflexCommandReader(this::obey);
+  private final Schedule reports = new Schedule();
+  private final Axis along;
+  private final Axis about;
+  private boolean brake = true;
+  private @Nullable Instant powerOn;
+  private Instant now = Instant.EPOCH;
+  private @Nullable Instant failsafe; // when it is due
+  private boolean isHalfMotion; // the other axis' half is to come
+  private volatile @Nullable Instant lastMotion;
+
+  /** A controller of these wheels, fed by this battery. */
+  public RflexDevice(DriveBody wheels, BatteryBody battery) {
+    this(wheels, battery, 0, 0);
+  }
+
+  /**
+   * One that begins to count elsewhere, near the end of its 32 bits, say.
+   *
+   * @param first its first count along x
+   * @param firstTurn its first count about z
+   */
+  public RflexDevice(DriveBody wheels, BatteryBody battery, int first, int firstTurn) {
+    this.wheels = wheels;
+    this.battery = battery;
+    this.along = new Axis(PER_METRE, first);
+    this.about = new Axis(PER_RADIAN, firstTurn);
+  }
+
+  /** Frames that it has not understood. */
+  public long spoiled() {
+    return commands.spoiled();
+  }
+
+  /**
+   * When the last velocity came that was one, not a halt: more than 1 count per second, or what
+   * went about z together with that. Null while there was none. May be asked by any thread.
+   */
+  public @Nullable Instant lastMotion() {
+    return lastMotion;
+  }
+
+  @Override
+  public int baud() {
+    return BAUD;
+  }
+
+  @Override
+  public void receive(byte[] bytes, int offset, int length, Instant time) {
+    pass(time);
+    commands.feed(bytes, offset, length);
+  }
+
+  @Override
+  public void transmit(ByteBuffer out, Instant time) {
+    pass(time);
+    line.take(out, time);
+  }
+
+  private void pass(Instant time) {
+    if (powerOn == null) {
+      powerOn = time;
+      wheels.brake(time, true);
+      Travel begin = wheels.travel(time);
+      along.begin = begin.distance();
+      about.begin = begin.turn();
+    }
+    if (failsafe != null && !time.isBefore(failsafe)) {
+      now = failsafe; // it was then, even where nobody looked
+      stop();
+    }
+    now = time;
+    Instant due = reports.due(time);
+    if (due != null && line.waitingBytes() <= LONGEST_QUEUE) {
+      report(due);
+    }
+  }
+
+  private void stop() {
+    failsafe = null;
+    along.stop(STOPPING);
+    about.stop(TURN_STOPPING);
+    drive();
+  }
+
+  private void drive() {
+    wheels.drive(now, along.speed, about.speed, along.acceleration, about.acceleration);
+  }
+
+  private void obey(int port, int opcode, byte[] data) {
+    ByteBuffer argument = ByteBuffer.wrap(data);
+    switch (port << 8 | opcode) {
+      case 0x0101 -> status();
+      case 0x0207 -> setVelocity(argument);
+      case 0x020A -> stop();
+      case 0x020B -> setBrake(true);
+      case 0x020C -> setBrake(false);
+      case 0x0222 -> requestReports(argument);
+      default -> {
+        // it ignores what it does not know
+      }
+    }
+  }
+
+  private void setVelocity(ByteBuffer argument) {
+    if (argument.remaining() != 14) {
+      return;
+    }
+    Axis axis = argument.get() == 0 ? along : about;
+    long counts = Integer.toUnsignedLong(argument.getInt());
+    double speed = counts / axis.perUnit;
+    double acceleration = Integer.toUnsignedLong(argument.getInt()) / axis.perUnit;
+    int unusedTorque = argument.getInt();
+    boolean isPositive = argument.get() == 1;
+    if (brake) {
+      return;
+    }
+    axis.speed = isPositive ? speed : -speed;
+    axis.acceleration = acceleration > 0 ? acceleration : USUAL_ACCELERATION;
+    failsafe = now.plus(FAILSAFE);
+    lastMotion = counts > 1 || (isHalfMotion && axis == about) ? now : lastMotion;
+    isHalfMotion = counts > 1 && axis == along;
+    drive();
+  }
+
+  private void setBrake(boolean set) {
+    brake = set;
+    if (set) {
+      stop();
+    }
+    wheels.brake(now, set);
+  }
+
+  private void requestReports(ByteBuffer argument) {
+    if (argument.remaining() == 8) {
+      long micros = Integer.toUnsignedLong(argument.getInt());
+      reports.set(Duration.ofNanos(micros * 1000), now);
+    }
+  }
+
+  private void status() {
+    int hundredths = (int) Math.round((battery.at(now).voltage() - OFFSET_VOLTS) * 100);
+    line.send(RflexFrames.status(timestamp(now), Math.max(0, hundredths), brake), now);
+  }
+
+  private void report(Instant due) {
+    Travel travel = wheels.travel(due);
+    int time = timestamp(due);
+    byte[] first =
+        RflexFrames.report(
+            time,
+            0,
+            along.count(travel.distance()),
+            along.rate(travel.speed()),
+            along.rate(along.acceleration));
+    byte[] second =
+        RflexFrames.report(
+            time,
+            1,
+            about.count(travel.turn()),
+            about.rate(travel.turnRate()),
+            about.rate(about.acceleration));
+    line.send(first, due);
+    line.send(second, due);
+  }
+
+  /** Microseconds since it was switched on; wraps around. */
+  private int timestamp(Instant time) {
+    return (int) (Duration.between(powerOn == null ? time : powerOn, time).toNanos() / 1000);
+  }
+}

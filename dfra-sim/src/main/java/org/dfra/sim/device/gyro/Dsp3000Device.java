@@ -1,0 +1,99 @@
+package org.dfra.sim.device.gyro;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Locale;
+import org.dfra.sim.body.TurnView;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.UartLine;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A fibre-optic rate gyro between its two wires, as KVH's DSP-3000: a line of a number and whether
+ * it is valid, a hundred times a second, clockwise +.
+ *
+ * <p>Commands, single letters: {@code R} rate in degrees per second, {@code A} the angle turned
+ * since the line before, {@code P} the angle turned since {@code Z}, both in degrees. It keeps its
+ * mode while it is on, and begins with the rate. After it was switched on its lines are not valid
+ * for a while, and wherever it turns faster than it can measure: these two, and that it takes its
+ * commands without an end of line, are made up or from other drivers of it.
+ */
+public final class Dsp3000Device implements SerialDevice {
+
+  private static final Duration PERIOD = Duration.ofMillis(10);
+  private static final double FASTEST = 375; // °/s
+  private static final int LONGEST_QUEUE = 1024; // bytes; with more a line is left out
+  private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // lines caught up
+
+  private final TurnView view;
+  private final UartLine line;
+  private final Duration warmUp;
+  private @Nullable Instant switchedOn;
+  private Instant next = Instant.MIN;
+  private char mode = 'R';
+  private double angle; // degrees since Z, clockwise is +
+
+  /**
+   * @param view how it turns
+   * @param baud bits per second of its line, 38400 as it is delivered
+   * @param warmUp for how long after it was switched on its lines are not valid
+   */
+  public Dsp3000Device(TurnView view, int baud, Duration warmUp) {
+    this.view = view;
+    this.line = new UartLine(baud);
+    this.warmUp = warmUp;
+  }
+
+  @Override
+  public int baud() {
+    return line.baud();
+  }
+
+  @Override
+  public void receive(byte[] bytes, int offset, int length, Instant time) {
+    pass(time);
+    for (int i = offset; i < offset + length; i++) {
+      char letter = (char) (bytes[i] & 0xFF);
+      if (letter == 'R' || letter == 'A' || letter == 'P') {
+        mode = letter;
+      } else if (letter == 'Z') {
+        angle = 0;
+      }
+    }
+  }
+
+  @Override
+  public void transmit(ByteBuffer out, Instant time) {
+    pass(time);
+    line.take(out, time);
+  }
+
+  private void pass(Instant time) {
+    if (switchedOn == null) {
+      switchedOn = time;
+      next = time.plus(PERIOD);
+    }
+    Duration late = Duration.between(next, time);
+    if (late.compareTo(LONGEST_SLEEP) > 0 || late.plus(PERIOD).isNegative()) { // the clock was set
+      next = time;
+    }
+    for (; !next.isAfter(time); next = next.plus(PERIOD)) {
+      measure(next, switchedOn);
+    }
+  }
+
+  private void measure(Instant time, Instant begin) {
+    double rate = -Math.toDegrees(view.rate(time));
+    double told = Math.max(-FASTEST, Math.min(FASTEST, rate));
+    double step = told * PERIOD.toMillis() / 1e3;
+    angle += step;
+    boolean isValid = told == rate && !time.isBefore(begin.plus(warmUp));
+    double number = mode == 'R' ? told : mode == 'A' ? step : angle;
+    if (line.waitingBytes() <= LONGEST_QUEUE) {
+      String text = String.format(Locale.ROOT, "%.6f %d\r\n", number, isValid ? 1 : 0);
+      line.send(text.getBytes(StandardCharsets.US_ASCII), time);
+    }
+  }
+}

@@ -1,0 +1,116 @@
+package org.dfra.sim.device.laser;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.sim.body.RangeView;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The laser's turning mirror: what it sees, and when a scan of it is complete. Confined to one
+ * thread.
+ */
+final class LmsMirror {
+
+  static final double TURNS_PER_SECOND = 75;
+
+  private static final double FARTHEST = 80; // metres
+  private static final int RESERVED = 8;
+  private static final int WIDEST = 180;
+  private static final int NARROW = 100;
+  private static final double[] METRES = {0.01, 0.001};
+
+  private final RangeView view;
+  private int degrees;
+  private int hundredths;
+  private Instant streamBegin = Instant.EPOCH;
+  private long sentScans; // of the stream, those left out among them
+
+  LmsMirror(RangeView view) {
+    this.view = view;
+    wake();
+  }
+
+  /** As it is after power-on. */
+  void wake() {
+    degrees = WIDEST;
+    hundredths = 50;
+  }
+
+  int degrees() {
+    return degrees;
+  }
+
+  int hundredths() {
+    return hundredths;
+  }
+
+  /** Places the beams otherwise; false where that cannot be. */
+  boolean place(int field, int step) {
+    boolean exists =
+        (field == NARROW || field == WIDEST)
+            && (step == 100 || step == 50 || (step == 25 && field == NARROW));
+    degrees = exists ? field : degrees;
+    hundredths = exists ? step : hundredths;
+    return exists;
+  }
+
+  /** Whether it can count in this unit. */
+  static boolean knows(int unit) {
+    return unit >= 0 && unit < METRES.length;
+  }
+
+  void beginStream(Instant now) {
+    streamBegin = now;
+    sentScans = 0;
+  }
+
+  /** When the last scan of the stream began that is complete and was not sent; null for none. */
+  @Nullable Instant complete(Instant now) {
+    long nanos = periodNanos();
+    long complete = Math.max(0, Duration.between(streamBegin, now).toNanos() / nanos);
+    if (complete <= sentScans) {
+      return null;
+    }
+    sentScans = complete;
+    return streamBegin.plusNanos((complete - 1) * nanos);
+  }
+
+  /** Nanoseconds for a scan. */
+  long periodNanos() {
+    return Math.round(1e9 * (100.0 / hundredths) / TURNS_PER_SECOND);
+  }
+
+  /**
+   * What it sees from then on, as samples from right to left.
+   *
+   * @param unit 0 cm, 1 mm
+   * @param mode its measuring mode
+   */
+  int[] samples(Instant begin, int unit, int mode) {
+    double metres = METRES[unit];
+    int top = (1 << bits(mode)) - 1;
+    double longest = Math.min(FARTHEST, (top - RESERVED - 1) * metres);
+    double[] distances = new double[degrees * 100 / hundredths + 1];
+    double first = -Math.toRadians(degrees / 2.0);
+    view.look(begin, first, Math.toRadians(hundredths / 100.0), longest, distances);
+    int[] samples = new int[distances.length];
+    for (int i = 0; i < samples.length; i++) {
+      if (Double.isNaN(distances[i])) {
+        samples[i] = top;
+      } else {
+        samples[i] =
+            distances[i] > longest ? top - RESERVED : (int) Math.round(distances[i] / metres);
+      }
+    }
+    return samples;
+  }
+
+  private static int bits(int mode) {
+    return switch (mode) {
+      case 0, 1, 2 -> 13;
+      case 3, 4 -> 14;
+      case 5, 6 -> 15;
+      default -> 16;
+    };
+  }
+}

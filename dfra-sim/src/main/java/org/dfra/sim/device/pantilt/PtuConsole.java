@@ -1,0 +1,206 @@
+package org.dfra.sim.device.pantilt;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/** Obeys commands, each without its delimiter. */
+final class PtuConsole {
+
+  private static final Pattern COMMAND = Pattern.compile("([A-Z]{1,2})([-+]?[0-9]{1,6})?");
+  private static final String END = "\r\n";
+
+  private final StepMotor pan;
+  private final StepMotor tilt;
+  private final Consumer<String> printer;
+  private final Consumer<PtuMotion> motions;
+  private boolean echo = true;
+  private boolean terse;
+  private boolean limited = true;
+  private boolean immediate = true;
+  private @Nullable Integer awaitedPan;
+  private @Nullable Integer awaitedTilt;
+
+  /**
+   * @param printer takes what it says
+   * @param motions takes what must end before it obeys again; {@link #done} is its reply then
+   */
+  PtuConsole(StepMotor pan, StepMotor tilt, Consumer<String> printer, Consumer<PtuMotion> motions) {
+    this.pan = pan;
+    this.tilt = tilt;
+    this.printer = printer;
+    this.motions = motions;
+  }
+
+  boolean echoes() {
+    return echo;
+  }
+
+  /** The reply to a command that was executed. */
+  String done() {
+    return "*" + END;
+  }
+
+  void obey(String command) {
+    Matcher matcher = COMMAND.matcher(command.toUpperCase(Locale.ROOT));
+    if (!matcher.matches()) {
+      refuse("Illegal command");
+      return;
+    }
+    String name = matcher.group(1);
+    String number = matcher.group(2);
+    boolean isOfAxis = name.length() == 2 && (name.charAt(0) == 'P' || name.charAt(0) == 'T');
+    if (isOfAxis) {
+      StepMotor motor = name.charAt(0) == 'P' ? pan : tilt;
+      if (number == null) {
+        answer(motor, name.charAt(1));
+      } else {
+        set(motor, name.charAt(1), Integer.parseInt(number));
+      }
+    } else if (number != null) {
+      refuse("Illegal command argument");
+    } else {
+      obeyOfBoth(name);
+    }
+  }
+
+  private void answer(StepMotor motor, char what) {
+    String name = motor.name();
+    switch (what) {
+      case 'P' -> tell("Current " + name + " position is ", motor.position(), "");
+      case 'O', 'D' -> tell("Desired " + name + " position is ", motor.target(), "");
+      case 'S' -> tell("Target " + name + " speed is ", motor.speed(), " positions/sec");
+      case 'A' -> tell(name + " acceleration is ", motor.acceleration(), " positions/sec^2");
+      case 'B' -> tell("Current " + name + " base speed is ", motor.baseSpeed(), " positions/sec");
+      case 'U' -> tell("Maximum " + name + " speed is ", motor.fastest(), " positions/sec");
+      case 'L' -> tell("Minimum " + name + " speed is ", motor.slowest(), " positions/sec");
+      case 'N' -> tell("Minimum " + name + " position is ", motor.least(), "");
+      case 'X' -> tell("Maximum " + name + " position is ", motor.most(), "");
+      case 'R' -> say("185.1428" + (terse ? "" : " seconds arc per " + name + " position"));
+      default -> refuse("Illegal command");
+    }
+  }
+
+  private void set(StepMotor motor, char what, int number) {
+    switch (what) {
+      case 'P' -> position(motor, number);
+      case 'O' -> position(motor, motor.position() + number);
+      case 'S' -> speed(motor, number);
+      case 'A' -> {
+        if (number < 1) {
+          refuse("Acceleration must be positive");
+        } else {
+          motor.setAcceleration(number);
+          printer.accept(done());
+        }
+      }
+      default -> refuse("Illegal command argument");
+    }
+  }
+
+  private void position(StepMotor motor, int there) {
+    if (!motor.reaches(there)) {
+      boolean over = there > motor.most();
+      refuse(
+          (over ? "Maximum" : "Minimum")
+              + " allowable "
+              + motor.name()
+              + " position is "
+              + (over ? motor.most() : motor.least()));
+      return;
+    }
+    if (immediate) {
+      motor.goTo(there);
+    } else if (motor == pan) {
+      awaitedPan = there;
+    } else {
+      awaitedTilt = there;
+    }
+    printer.accept(done());
+  }
+
+  private void speed(StepMotor motor, int speed) {
+    if (speed > motor.fastest()) {
+      refuse(motor.name() + " speed cannot exceed " + motor.fastest() + " positions/sec");
+    } else if (speed < motor.slowest()) {
+      refuse("Motor speed cannot be less than " + motor.slowest() + " pos/sec");
+    } else {
+      motor.setSpeed(speed);
+      printer.accept(done());
+    }
+  }
+
+  private void obeyOfBoth(String name) {
+    switch (name) {
+      case "E" -> say("Echoing is " + (echo ? "ON" : "OFF"));
+      case "F" -> say("ASCII " + (terse ? "terse" : "verbose") + " mode");
+      case "L" -> say("Limit bounds are " + (limited ? "ENABLED" : "DISABLED"));
+      case "V" -> say("Pan-Tilt Controller v1.10 (EMULATOR)");
+      case "R" -> motions.accept(PtuMotion.reset(pan, tilt));
+      case "RP" -> motions.accept(PtuMotion.reset(pan));
+      case "RT" -> motions.accept(PtuMotion.reset(tilt));
+      case "A" -> {
+        goAwaited();
+        motions.accept(PtuMotion.ending(pan, tilt));
+      }
+      default -> {
+        if (isSet(name)) {
+          printer.accept(done());
+        } else {
+          refuse("Illegal command");
+        }
+      }
+    }
+  }
+
+  /** Sets what a command without an answer sets; false when there is no such command. */
+  private boolean isSet(String name) {
+    switch (name) {
+      case "EE", "ED" -> echo = name.equals("EE");
+      case "FT", "FV" -> terse = name.equals("FT");
+      case "LE", "LD" -> limit(name.equals("LE"));
+      case "I", "S" -> immediate = name.equals("I");
+      case "H" -> {
+        pan.halt();
+        tilt.halt();
+      }
+      case "HP" -> pan.halt();
+      case "HT" -> tilt.halt();
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void limit(boolean whether) {
+    limited = whether;
+    pan.limit(whether);
+    tilt.limit(whether);
+  }
+
+  private void goAwaited() {
+    if (awaitedPan != null) {
+      pan.goTo(awaitedPan);
+    }
+    if (awaitedTilt != null) {
+      tilt.goTo(awaitedTilt);
+    }
+    awaitedPan = null;
+    awaitedTilt = null;
+  }
+
+  private void tell(String before, int number, String after) {
+    say(terse ? Integer.toString(number) : before + number + after);
+  }
+
+  private void say(String text) {
+    printer.accept("* " + text + END);
+  }
+
+  private void refuse(String why) {
+    printer.accept("! " + why + END);
+  }
+}

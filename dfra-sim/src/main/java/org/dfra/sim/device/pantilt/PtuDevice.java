@@ -1,0 +1,177 @@
+package org.dfra.sim.device.pantilt;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import org.dfra.sim.body.PanTiltBody;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.UartLine;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A pan-tilt unit between its two wires, as one of Directed Perception of type 46: step motors that
+ * ramp up and down, limits, and commands in ASCII with a blank or a carriage return behind each.
+ *
+ * <p>Switched on it prints what it is and goes through its reset: to both ends of both axes and to
+ * 0, 0, which takes some 17 s. While it does that, and while it awaits the end of a motion ({@code
+ * A}), it takes commands in but answers them after. It begins with echo and with sentences, and
+ * forgets its settings when it is switched off, not when its line is.
+ *
+ * <p>Commands, of each axis ({@code P} or {@code T}): {@code PP PO PD PS PA} to be set and asked,
+ * {@code PR PN PX PB PU PL} to be asked. Of both: {@code H HP HT R RP RT I S A LE LD L ED EE E FT
+ * FV F V}. Others are refused. In the mode {@code S} positions are gone to when {@code A} comes.
+ * Where the limits are off, an axis that goes on runs against its end and tells {@code !P} or
+ * {@code !T}.
+ *
+ * <p>The head is told where it points at least every 10 ms while it moves. Source: Directed
+ * Perception, PTU-D46 User's Manual 2.14.0, section 4; the ends of the ways beyond the limits and
+ * the wording of some refusals are made up.
+ */
+public final class PtuDevice implements SerialDevice {
+
+  private static final double RADIANS_PER_POSITION = Math.toRadians(185.1428 / 3600);
+  private static final int LONGEST_COMMAND = 40;
+  private static final int LONGEST_INPUT = 1000; // characters that wait to be obeyed
+  private static final int TELL_EVERY = 10; // steps
+  private static final Duration LONGEST_SLEEP = Duration.ofSeconds(60); // any motion has ended
+
+  private final PanTiltBody body;
+  private final UartLine line;
+  private final StepMotor pan = new StepMotor('P', "Pan", -3090, 3090);
+  private final StepMotor tilt = new StepMotor('T', "Tilt", -907, 604);
+  private final PtuConsole console = new PtuConsole(pan, tilt, this::say, this::begin);
+  private final boolean resets;
+  private final ArrayDeque<Character> input = new ArrayDeque<>();
+  private final StringBuilder word = new StringBuilder();
+  private @Nullable PtuMotion motion; // what it goes through before it obeys again
+  private @Nullable Instant now; // null: it has not been switched on
+  private double toldPan = Double.NaN;
+  private double toldTilt = Double.NaN;
+
+  /**
+   * @param body the head
+   * @param baud bits per second of its line, 9600 as it is delivered
+   * @param resets whether it goes through its reset when it is switched on
+   */
+  public PtuDevice(PanTiltBody body, int baud, boolean resets) {
+    this.body = body;
+    this.line = new UartLine(baud);
+    this.resets = resets;
+  }
+
+  @Override
+  public int baud() {
+    return line.baud();
+  }
+
+  @Override
+  public void receive(byte[] bytes, int offset, int length, Instant time) {
+    pass(time);
+    for (int i = offset; i < offset + length && input.size() < LONGEST_INPUT; i++) {
+      input.add((char) (bytes[i] & 0xFF));
+    }
+    read();
+  }
+
+  @Override
+  public void transmit(ByteBuffer out, Instant time) {
+    pass(time);
+    line.take(out, time);
+  }
+
+  private void pass(Instant time) {
+    Instant last = now;
+    if (last == null) {
+      now = time;
+      switchOn(time);
+      return;
+    }
+    Duration slept = Duration.between(last, time);
+    if (slept.isNegative() || slept.compareTo(LONGEST_SLEEP) > 0) { // the clock was set
+      last = time.minus(slept.isNegative() ? Duration.ZERO : LONGEST_SLEEP);
+    }
+    long steps = Duration.between(last, time).toMillis();
+    for (long i = 1; i <= steps; i++) {
+      Instant at = last.plusMillis(i);
+      now = at;
+      step(at, i % TELL_EVERY == 0 || i == steps);
+    }
+    if (steps == 0) {
+      now = last;
+    }
+  }
+
+  private void switchOn(Instant time) {
+    say("\r\n### PAN-TILT CONTROLLER\r\n### EMULATOR\r\n");
+    tellBody(time);
+    if (resets) {
+      say("Initializing...\r\n");
+      begin(PtuMotion.reset(pan, tilt));
+    } else {
+      say("*\r\n");
+    }
+  }
+
+  private void step(Instant at, boolean tells) {
+    boolean arrives = false;
+    for (StepMotor motor : new StepMotor[] {pan, tilt}) {
+      boolean moved = motor.isMoving();
+      motor.step();
+      arrives |= moved && !motor.isMoving();
+      if (motor.takeHit()) {
+        say("!" + motor.letter() + "\r\n");
+      }
+    }
+    if (tells || arrives) {
+      tellBody(at);
+    }
+    PtuMotion going = motion;
+    if (going != null && going.isOver()) {
+      motion = null;
+      say(console.done());
+      read();
+    }
+  }
+
+  private void tellBody(Instant at) {
+    double atPan = pan.exactPosition() * RADIANS_PER_POSITION;
+    double atTilt = tilt.exactPosition() * RADIANS_PER_POSITION;
+    if (atPan != toldPan || atTilt != toldTilt) {
+      toldPan = atPan;
+      toldTilt = atTilt;
+      body.point(at, atPan, atTilt);
+    }
+  }
+
+  /** Obeys what has come, up to a command that takes its time. */
+  private void read() {
+    while (motion == null && !input.isEmpty()) {
+      char next = input.remove();
+      if (console.echoes()) {
+        say(String.valueOf(next));
+      }
+      if (next != ' ' && next != '\r') {
+        if (word.length() < LONGEST_COMMAND && next > ' ') {
+          word.append(next);
+        }
+      } else if (word.length() > 0) {
+        String command = word.toString();
+        word.setLength(0);
+        console.obey(command);
+      }
+    }
+  }
+
+  private void begin(PtuMotion next) {
+    motion = next;
+  }
+
+  private void say(String text) {
+    Instant time = now;
+    if (time != null && !text.isEmpty()) {
+      line.send(text.getBytes(StandardCharsets.ISO_8859_1), time);
+    }
+  }
+}

@@ -1,0 +1,144 @@
+package org.dfra.sim.run;
+
+import java.io.IOException;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.sim.device.Cable;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.time.LockStep;
+import org.dfra.sim.world.SimulatedRobot;
+import org.dfra.sim.world.World;
+import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.WorldDescription;
+
+/**
+ * A world in which every line of every robot ends in a device that speaks its own bytes.
+ *
+ * <p>{@link #start} opens the lines; {@link #close} closes them. Both do nothing the second time.
+ * The world goes on as far as its devices, or those who ask for {@link World#truth}, ask for.
+ */
+public final class Simulation implements AutoCloseable {
+
+  /** Which TCP port a device gets where its description does not say, or is not asked. */
+  public enum Ports {
+    /** The one that is written, or any free one where none is. */
+    AS_WRITTEN,
+    /** Any free one. */
+    ANY
+  }
+
+  private record Emulated(SimulatedRobot robot, Emulators.Line line, Carrier carrier) {
+    SimulatedLine told() {
+      return new SimulatedLine(
+          robot.name(),
+          line.device().name(),
+          line.protocol(),
+          carrier.link(),
+          line.serves().stream().map(DeviceDescription::name).toList());
+    }
+  }
+
+  private interface Carriers {
+    Carrier carry(String name, DeviceDescription device, SerialDevice emulated);
+  }
+
+  private final World world;
+  private final Map<String, Emulated> emulated = new TreeMap<>(); // by robot/device
+  private boolean started; // guarded by this
+
+  private Simulation(World world, Carriers carriers) {
+    this.world = world;
+    for (SimulatedRobot robot : world.robots()) {
+      for (Emulators.Line line : Emulators.lines(robot, world.description().datum())) {
+        String name = robot.name() + "/" + line.device().name();
+        emulated.put(
+            name, new Emulated(robot, line, carriers.carry(name, line.device(), line.emulated())));
+      }
+    }
+  }
+
+  /**
+   * Devices behind TCP ports of the loopback interface, by a clock that may run at any speed.
+   *
+   * @throws ConfigurationException if a device's emulator is described wrongly
+   */
+  public static Simulation overTcp(WorldDescription description, InstantSource clock, Ports ports) {
+    return new Simulation(
+        World.of(description, clock.instant()),
+        (name, device, emulated) ->
+            Carrier.tcp(name, ports == Ports.ANY ? 0 : Emulators.port(device), emulated, clock));
+  }
+
+  /**
+   * Devices at {@code sim:robot/device}, in lock-step with their drivers: the same seed and the
+   * same commands give the same bytes.
+   *
+   * @throws ConfigurationException if a device's emulator is described wrongly
+   */
+  public static Simulation inLockStep(WorldDescription description, LockStep time) {
+    return new Simulation(
+        World.of(description, time.instant()),
+        (name, device, emulated) -> Carrier.lockStep(name, emulated, time));
+  }
+
+  /**
+   * Opens every line, or none.
+   *
+   * @throws IOException if one cannot be opened; the message says which and where it is described
+   */
+  public synchronized void start() throws IOException {
+    if (started) {
+      return;
+    }
+    started = true;
+    List<Carrier> opened = new ArrayList<>();
+    for (Map.Entry<String, Emulated> each : emulated.entrySet()) {
+      try {
+        each.getValue().carrier().start();
+        opened.add(each.getValue().carrier());
+      } catch (IOException e) {
+        opened.forEach(Carrier::close);
+        throw new IOException(
+            each.getValue().line().device().place()
+                + ": "
+                + each.getKey()
+                + " cannot be reached: "
+                + e.getMessage(),
+            e);
+      }
+    }
+  }
+
+  /** The world. */
+  public World world() {
+    return world;
+  }
+
+  /** Every line, by robot and device; only while it is started. */
+  public List<SimulatedLine> lines() {
+    return emulated.values().stream().map(Emulated::told).toList();
+  }
+
+  /**
+   * The cable of a line, to have something wrong with it.
+   *
+   * @throws IllegalArgumentException if there is no such line
+   */
+  public Cable cable(String robot, String device) {
+    Emulated line = emulated.get(robot + "/" + device);
+    if (line == null) {
+      throw new IllegalArgumentException(
+          "there is no line to " + robot + "/" + device + "; there is " + emulated.keySet());
+    }
+    return line.carrier().cable();
+  }
+
+  @Override
+  public void close() {
+    emulated.values().forEach(each -> each.carrier().close());
+  }
+}

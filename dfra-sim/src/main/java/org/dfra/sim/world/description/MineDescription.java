@@ -1,0 +1,43 @@
+package org.dfra.sim.world.description;
+
+import org.dfra.core.config.Place;
+
+/**
+ * A mine that lies on the ground. Cameras see it; lasers look over it.
+ *
+ * @param name unique in its world, in lower_snake_case
+ * @param east of its centre, metres
+ * @param north of its centre, metres
+ * @param radius metres, above 0
+ * @param height metres, above 0
+ * @param contrast how much warmer it is than the ground beside it, kelvin; colder is negative
+ * @param colour 0xRRGGBB
+ * @param place where it was written
+ */
+public record MineDescription(
+    String name,
+    double east,
+    double north,
+    double radius,
+    double height,
+    double contrast,
+    int colour,
+    Place place) {
+
+  /** Of a mine against vehicles, metres. */
+  public static final double RADIUS = 0.16;
+
+  /** Of a mine against vehicles, metres. */
+  public static final double HEIGHT = 0.1;
+
+  /** In the afternoon of a sunny day, kelvin. */
+  public static final double CONTRAST = 4;
+
+  /** Olive. */
+  public static final int COLOUR = 0x3F4526;
+
+  /** Written in code, of the usual size. */
+  public MineDescription(String name, double east, double north) {
+    this(name, east, north, RADIUS, HEIGHT, CONTRAST, COLOUR, Place.CODE);
+  }
+}

@@ -1,0 +1,140 @@
+package org.dfra.sim.world.description;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.Faults;
+import org.dfra.core.config.Place;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.world.shape.Polygon;
+
+/**
+ * A world before its time begins. Two worlds made from equal descriptions are equal at all times,
+ * if the robots are told the same.
+ *
+ * @param name of the world, in lower_snake_case
+ * @param seed of all that is left to chance
+ * @param datum where the world's frame has its origin; that of ENU, and the field's south-west
+ *     corner
+ * @param ground the field
+ * @param weather sun, temperature, wind
+ * @param obstacles what stands in the way
+ * @param mines what lies on the ground
+ * @param region the part of the field that a mission is about, if one is given
+ * @param vehicles the robots, in the order in which they move
+ * @param place where it was written
+ * @throws ConfigurationException naming all that is wrong with any part of it
+ */
+public record WorldDescription(
+    String name,
+    long seed,
+    GeoPosition datum,
+    GroundDescription ground,
+    WeatherDescription weather,
+    List<ObstacleDescription> obstacles,
+    List<MineDescription> mines,
+    Optional<Polygon> region,
+    List<VehicleDescription> vehicles,
+    Place place) {
+
+  public WorldDescription {
+    obstacles = List.copyOf(obstacles);
+    mines = List.copyOf(mines);
+    vehicles = List.copyOf(vehicles);
+    Faults faults = new Faults();
+    WorldRules.check(name, datum, ground, weather, place, faults);
+    WorldRules.check(obstacles, mines, vehicles, faults);
+    faults.throwIfAny();
+  }
+
+  /** An empty field in fair weather, for tests and examples. */
+  public WorldDescription(String name, long seed, GeoPosition datum, double width, double depth) {
+    this(
+        name,
+        seed,
+        datum,
+        new GroundDescription(width, depth),
+        WeatherDescription.FAIR,
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        List.of(),
+        Place.CODE);
+  }
+
+  /** The same world with another seed. */
+  public WorldDescription seeded(long other) {
+    return new WorldDescription(
+        name, other, datum, ground, weather, obstacles, mines, region, vehicles, place);
+  }
+
+  /** The same world with one obstacle more. */
+  public WorldDescription with(ObstacleDescription obstacle) {
+    return new WorldDescription(
+        name,
+        seed,
+        datum,
+        ground,
+        weather,
+        more(obstacles, obstacle),
+        mines,
+        region,
+        vehicles,
+        place);
+  }
+
+  /** The same world with one mine more. */
+  public WorldDescription with(MineDescription mine) {
+    return new WorldDescription(
+        name, seed, datum, ground, weather, obstacles, more(mines, mine), region, vehicles, place);
+  }
+
+  /** The same world with one robot more. */
+  public WorldDescription with(VehicleDescription vehicle) {
+    return new WorldDescription(
+        name,
+        seed,
+        datum,
+        ground,
+        weather,
+        obstacles,
+        mines,
+        region,
+        more(vehicles, vehicle),
+        place);
+  }
+
+  /** The same world on other ground. */
+  public WorldDescription on(GroundDescription other) {
+    return new WorldDescription(
+        name, seed, datum, other, weather, obstacles, mines, region, vehicles, place);
+  }
+
+  /** The same world in other weather. */
+  public WorldDescription in(WeatherDescription other) {
+    return new WorldDescription(
+        name, seed, datum, ground, other, obstacles, mines, region, vehicles, place);
+  }
+
+  /**
+   * The robot of that name.
+   *
+   * @throws ConfigurationException if there is none
+   */
+  public VehicleDescription vehicle(String robot) {
+    return vehicles.stream()
+        .filter(one -> one.name().equals(robot))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new ConfigurationException(
+                    place + ": the world " + name + " has no robot " + robot + "; add one"));
+  }
+
+  private static <T> List<T> more(List<T> some, T one) {
+    List<T> more = new ArrayList<>(some);
+    more.add(one);
+    return more;
+  }
+}

@@ -1,0 +1,182 @@
+package org.dfra.sim.world.description;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.dfra.core.config.Faults;
+import org.dfra.core.config.Place;
+import org.dfra.core.config.Rules;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.world.shape.Box;
+import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.shape.Solid;
+import org.jspecify.annotations.Nullable;
+
+/** What a world must be like: notes all that is wrong with one, each at its place. */
+public final class WorldRules {
+
+  /** Nothing in a world is farther from its datum, metres. */
+  private static final double FARTHEST = 10_000;
+
+  private static final double LARGEST_FIELD = 100_000; // metres
+  private static final double ROUGHEST = 0.2; // radians
+  private static final double TALLEST = 1000; // metres
+  private static final double LAST_LATITUDE = 89; // degrees: nearer to a pole, east is a riddle
+
+  private WorldRules() {}
+
+  /** Notes what is wrong with a world as a whole. */
+  public static void check(
+      String name,
+      GeoPosition datum,
+      GroundDescription ground,
+      WeatherDescription weather,
+      Place place,
+      Faults faults) {
+    Notes notes = new Notes(place, "", faults);
+    notes.add(Rules.name("world", name));
+    notes.between("latitude of the datum", "°", datum.latitude(), -LAST_LATITUDE, LAST_LATITUDE);
+    Notes field = new Notes(ground.place(), "the ground's ", faults);
+    field.positive("width", ground.width(), LARGEST_FIELD);
+    field.positive("depth", ground.depth(), LARGEST_FIELD);
+    field.between("roughness", "rad", ground.roughness(), 0, ROUGHEST);
+    Notes sky = new Notes(weather.place(), "the weather's ", faults);
+    sky.between("temperature", "K", weather.temperature(), 200, 350);
+    sky.between("warming", "K", weather.warming(), -30, 60);
+    sky.between("sun_azimuth", "rad", weather.sunAzimuth(), -10, 10);
+    sky.between("sun_elevation", "rad", weather.sunElevation(), -Math.PI / 2, Math.PI / 2);
+    sky.between("wind", "m/s", weather.wind(), 0, 50);
+    sky.between("wind_towards", "rad", weather.windTowards(), -10, 10);
+    sky.between("gusts", "m/s", weather.gusts(), 0, 50);
+  }
+
+  /** Notes what is wrong with the things of a world, each by itself and among themselves. */
+  public static void check(
+      List<ObstacleDescription> obstacles,
+      List<MineDescription> mines,
+      List<VehicleDescription> vehicles,
+      Faults faults) {
+    Set<String> names = new HashSet<>();
+    for (ObstacleDescription obstacle : obstacles) {
+      Disc bounds = obstacle.outline().bounds();
+      Notes notes =
+          thing(
+              "obstacle",
+              obstacle.name(),
+              bounds.east(),
+              bounds.north(),
+              obstacle.place(),
+              names,
+              faults);
+      notes.positive("height", obstacle.height(), TALLEST);
+      notes.between("reflectivity", "", obstacle.reflectivity(), 0, 1);
+      notes.between("colour", "", obstacle.colour(), 0, 0xFFFFFF);
+    }
+    for (MineDescription mine : mines) {
+      Notes notes =
+          thing("mine", mine.name(), mine.east(), mine.north(), mine.place(), names, faults);
+      notes.positive("radius", mine.radius(), 10);
+      notes.positive("height", mine.height(), 10);
+      notes.between("contrast", "K", mine.contrast(), -100, 100);
+      notes.between("colour", "", mine.colour(), 0, 0xFFFFFF);
+    }
+    for (VehicleDescription robot : vehicles) {
+      Notes notes =
+          thing("robot", robot.name(), robot.east(), robot.north(), robot.place(), names, faults);
+      notes.between("yaw", "rad", robot.yaw(), -10, 10);
+      notes.positive("length", robot.length(), 100);
+      notes.positive("width", robot.width(), 100);
+      notes.positive("height", robot.height(), 100);
+      DeviceRules.check(robot, faults);
+    }
+    starts(obstacles, vehicles, faults);
+  }
+
+  private static Notes thing(
+      String what,
+      String name,
+      double east,
+      double north,
+      Place place,
+      Set<String> names,
+      Faults faults) {
+    Notes notes = new Notes(place, name + "'s ", faults);
+    notes.add(Rules.name(what, name));
+    if (!names.add(name)) {
+      faults.add(
+          place,
+          "there is a second "
+              + name
+              + " among the obstacles, mines and robots; rename or delete one");
+    }
+    double distance = Math.sqrt(east * east + north * north);
+    if (!Double.isFinite(distance)) {
+      notes.add(name + " is at east " + east + ", north " + north + "; write finite numbers");
+    } else if (distance > FARTHEST) {
+      notes.add(
+          name
+              + " is "
+              + Math.round(distance / 1000)
+              + " km from the datum, farther than "
+              + Math.round(FARTHEST / 1000)
+              + " km; correct it or the datum, and see that latitude and longitude are not"
+              + " swapped");
+    }
+    return notes;
+  }
+
+  /** Notes robots that start in something, if all could stand somewhere. */
+  private static void starts(
+      List<ObstacleDescription> obstacles, List<VehicleDescription> vehicles, Faults faults) {
+    List<Solid> solids =
+        obstacles.stream().map(o -> new Solid(o.name(), o.outline(), o.height(), 1)).toList();
+    List<VehicleDescription> placed = new ArrayList<>();
+    for (VehicleDescription robot : vehicles) {
+      Box box = box(robot);
+      Stream.concat(
+              solids.stream().filter(box::touches).map(Solid::name),
+              placed.stream().filter(o -> box(o).touches(box)).map(VehicleDescription::name))
+          .findFirst()
+          .ifPresent(
+              other ->
+                  faults.add(
+                      robot.place(),
+                      robot.name() + " starts where " + other + " is; move one of them"));
+      placed.add(robot);
+    }
+  }
+
+  /** The rectangle of a robot at its start. */
+  private static Box box(VehicleDescription robot) {
+    Box box = new Box(robot.length(), robot.width());
+    box.move(robot.east(), robot.north(), StrictMath.cos(robot.yaw()), StrictMath.sin(robot.yaw()));
+    return box;
+  }
+
+  /** Notes what is wrong with the numbers of one thing. */
+  private record Notes(Place place, String of, Faults faults) {
+
+    void add(@Nullable String complaint) {
+      if (complaint != null) {
+        faults.add(place, complaint);
+      }
+    }
+
+    void positive(String what, double metres, double most) {
+      if (!(metres > 0 && metres <= most)) {
+        add(of + what + " is " + metres + " m; write a number above 0, up to " + most + " m");
+      }
+    }
+
+    void between(String what, String unit, double value, double lowest, double highest) {
+      if (!(value >= lowest && value <= highest)) {
+        String in = unit.isEmpty() ? "" : " " + unit;
+        add(
+            (of + what + " is " + value + in)
+                + ("; write a number from " + lowest + " to " + highest + in));
+      }
+    }
+  }
+}

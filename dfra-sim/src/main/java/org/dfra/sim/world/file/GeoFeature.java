@@ -1,0 +1,167 @@
+package org.dfra.sim.world.file;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dfra.core.config.Faults;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.config.Place;
+import org.dfra.core.geojson.GeoJsonFeature;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.description.MineDescription;
+import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.shape.Outline;
+import org.dfra.sim.world.shape.Polygon;
+import org.dfra.sim.world.shape.Vertex;
+import org.jspecify.annotations.Nullable;
+
+/** One feature of GeoJSON: a thing in a world, if nothing is wrong with it. */
+final class GeoFeature {
+
+  private static final List<String> OF_POINT = List.of("post", "mine");
+  private static final List<String> OF_POLYGON = List.of("obstacle", "region");
+
+  private final GeoJsonFeature feature;
+  private final JsonNode properties;
+  private final Place place;
+  private final LocalFrame frame;
+  private final Things things;
+  private final Faults faults;
+
+  GeoFeature(GeoJsonFeature feature, LocalFrame frame, Things things, Faults faults) {
+    this.feature = feature;
+    this.properties = feature.properties();
+    this.place = feature.place();
+    this.frame = frame;
+    this.things = things;
+    this.faults = faults;
+  }
+
+  void take() {
+    switch (feature.type()) {
+      case "Point" -> kind(OF_POINT, null).ifPresent(this::point);
+      case "Polygon" -> kind(OF_POLYGON, "obstacle").ifPresent(this::polygon);
+      default ->
+          faults.add(
+              place,
+              "the geometry of a feature is "
+                  + feature.type()
+                  + ", which is nothing in a world; write a Point for a post or a mine, a Polygon"
+                  + " for an obstacle or the region");
+    }
+  }
+
+  private Optional<String> kind(List<String> known, @Nullable String absent) {
+    JsonNode written = properties.path("kind");
+    if (written.isMissingNode() && absent != null) {
+      return Optional.of(absent);
+    }
+    if (written.isTextual() && known.contains(written.asText())) {
+      return Optional.of(written.asText());
+    }
+    String otherwise = "; write " + String.join(" or ", known) + " in its properties";
+    faults.add(
+        place,
+        "the kind of a "
+            + feature.type().toLowerCase(Locale.ROOT)
+            + (written.isMissingNode()
+                ? " is not told" + otherwise
+                : " is "
+                    + written.asText()
+                    + NearestName.hint(written.asText(), known, otherwise)));
+    return Optional.empty();
+  }
+
+  private void point(String kind) {
+    String name = name(kind);
+    Optional<Vertex> at = feature.position(feature.coordinates(), faults).map(this::vertex);
+    boolean isPost = kind.equals("post");
+    double radius = number("radius", isPost ? Things.POST_RADIUS : MineDescription.RADIUS);
+    if (at.isEmpty()) {
+      return;
+    }
+    double east = at.get().east();
+    double north = at.get().north();
+    if (!isPost) {
+      things.add(
+          new MineDescription(
+              name,
+              east,
+              north,
+              radius,
+              number("height", MineDescription.HEIGHT),
+              number("contrast", MineDescription.CONTRAST),
+              colour(MineDescription.COLOUR),
+              place));
+    } else if (radius > 0) {
+      things.add(obstacle(name, new Disc(east, north, radius)));
+    } else {
+      faults.add(place, "radius is " + radius + " m; write a number above 0");
+    }
+  }
+
+  private void polygon(String kind) {
+    Optional<List<GeoPosition>> ring = feature.ring(faults);
+    if (ring.isEmpty()) {
+      return;
+    }
+    List<Vertex> corners = ring.get().stream().map(this::vertex).toList();
+    try {
+      Polygon outline = new Polygon(corners);
+      if (kind.equals("region")) {
+        things.region(outline, place, faults);
+      } else {
+        things.add(obstacle(name(kind), outline));
+      }
+    } catch (IllegalArgumentException e) {
+      faults.add(place, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private ObstacleDescription obstacle(String name, Outline outline) {
+    return new ObstacleDescription(
+        name,
+        outline,
+        number("height", Things.HEIGHT),
+        number("reflectivity", ObstacleDescription.REFLECTIVITY),
+        colour(ObstacleDescription.colour(outline)),
+        place);
+  }
+
+  private String name(String kind) {
+    JsonNode written = properties.path("name");
+    return things.name(kind, written.isMissingNode() ? null : written.asText());
+  }
+
+  private double number(String name, double absent) {
+    JsonNode written = properties.path(name);
+    if (!written.isMissingNode() && !written.isNumber()) {
+      faults.add(place, name + " is " + written + "; write a number, without quotes");
+    }
+    return written.isNumber() ? written.asDouble() : absent;
+  }
+
+  private int colour(int absent) {
+    JsonNode written = properties.path("colour");
+    if (written.isMissingNode()) {
+      return absent;
+    }
+    Optional<Integer> colour = Numbers.colour(written.asText());
+    if (colour.isEmpty()) {
+      faults.add(place, Numbers.colourComplaint(written.asText()));
+    }
+    return colour.orElse(absent);
+  }
+
+  /** The point east and north of the datum; heights in GeoJSON are left out. */
+  private Vertex vertex(GeoPosition position) {
+    LocalPosition at =
+        frame.toLocal(
+            new GeoPosition(position.latitude(), position.longitude(), frame.datum().height()));
+    return new Vertex(at.east(), at.north());
+  }
+}

@@ -1,0 +1,224 @@
+package org.dfra.sim.world.file;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.core.config.Faults;
+import org.dfra.core.config.Place;
+import org.dfra.core.config.Substitution;
+import org.dfra.core.config.XmlValues;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.sim.world.description.GroundDescription;
+import org.dfra.sim.world.description.MineDescription;
+import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.WeatherDescription;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.description.WorldRules;
+import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.shape.Outline;
+import org.jdom2.Element;
+
+/**
+ * One reading of one world's XML. What the schema can tell is left to it; everything else that is
+ * wrong is noted here or by {@link WorldRules}, and reading goes on, so that all of it is reported
+ * at once.
+ */
+final class WorldReader {
+
+  private final Path file;
+  private final Faults faults;
+  private final XmlValues values;
+  private final Numbers numbers;
+  private final XmlValues.Once singles;
+  private final Things things = new Things();
+
+  WorldReader(Path file, Substitution substitution, Faults faults) {
+    this.file = file;
+    this.faults = faults;
+    this.values = new XmlValues(file.toString(), substitution, faults);
+    this.numbers = new Numbers(values);
+    this.singles = values.once();
+  }
+
+  /** The world; empty, with the reasons among the faults, if there is anything wrong with it. */
+  Optional<WorldDescription> world(Element root) {
+    String name = values.attribute(root, "name", "");
+    long seed = numbers.seed(root);
+    GeoPosition datum = datum(root);
+    GroundDescription ground = ground(root);
+    WeatherDescription weather = weather(root);
+    things(root, new LocalFrame(datum));
+    List<VehicleDescription> robots = robots(root);
+    Place whole = values.place(root);
+    WorldRules.check(name == null ? "" : name, datum, ground, weather, whole, faults);
+    WorldRules.check(things.obstacles(), things.mines(), robots, faults);
+    return faults.isEmpty() && name != null
+        ? Optional.of(
+            new WorldDescription(
+                name,
+                seed,
+                datum,
+                ground,
+                weather,
+                things.obstacles(),
+                things.mines(),
+                things.region(),
+                robots,
+                whole))
+        : Optional.empty();
+  }
+
+  private GeoPosition datum(Element root) {
+    GeoPosition datum = new GeoPosition(0, 0, 0);
+    for (Element element : required(root, "datum")) {
+      double latitude = numbers.number(element, "latitude", 0);
+      double longitude = numbers.number(element, "longitude", 0);
+      try {
+        datum = new GeoPosition(latitude, longitude, numbers.number(element, "height", 0));
+      } catch (IllegalArgumentException e) {
+        values.check(element, e.getMessage() + "; write degrees");
+      }
+    }
+    return datum;
+  }
+
+  private GroundDescription ground(Element root) {
+    GroundDescription ground = new GroundDescription(1, 1);
+    for (Element element : required(root, "ground")) {
+      ground =
+          new GroundDescription(
+              numbers.number(element, "width", 1),
+              numbers.number(element, "depth", 1),
+              numbers.number(element, "roughness", 0),
+              values.place(element));
+    }
+    return ground;
+  }
+
+  /** The one element of that name; a fault where it is missing. */
+  private List<Element> required(Element root, String name) {
+    List<Element> found = single(root, name);
+    if (found.isEmpty()) {
+      values.check(root, "the world has no <" + name + ">; add one");
+    }
+    return found;
+  }
+
+  private List<Element> single(Element root, String name) {
+    List<Element> found = children(root, name);
+    found.forEach(element -> singles.check(element, name, "<" + name + ">", "make them one"));
+    return found;
+  }
+
+  private WeatherDescription weather(Element root) {
+    WeatherDescription fair = WeatherDescription.FAIR;
+    WeatherDescription weather = fair;
+    for (Element element : single(root, "weather")) {
+      weather =
+          new WeatherDescription(
+              numbers.number(element, "temperature", fair.temperature()),
+              numbers.number(element, "warming", fair.warming()),
+              numbers.number(element, "sun_azimuth", fair.sunAzimuth()),
+              numbers.number(element, "sun_elevation", fair.sunElevation()),
+              numbers.number(element, "wind", fair.wind()),
+              numbers.number(element, "wind_towards", fair.windTowards()),
+              numbers.number(element, "gusts", fair.gusts()),
+              values.place(element));
+    }
+    return weather;
+  }
+
+  /** What lies in the world, in the order written. */
+  private void things(Element root, LocalFrame frame) {
+    for (Element element : root.getChildren()) {
+      switch (element.getName()) {
+        case "post" -> post(element);
+        case "obstacle" -> obstacle(element);
+        case "mine" -> mine(element);
+        case "features" -> features(element, frame);
+        case "region" ->
+            numbers
+                .polygon(element)
+                .ifPresent(p -> things.region(p, values.place(element), faults));
+        default -> {
+          // the schema knows which others there may be, and they are read elsewhere
+        }
+      }
+    }
+  }
+
+  private void post(Element element) {
+    double radius = numbers.number(element, "radius", Things.POST_RADIUS);
+    if (!(radius > 0)) {
+      values.check(element, "radius is " + radius + " m; write a number above 0");
+      return;
+    }
+    double east = numbers.number(element, "east", 0);
+    double north = numbers.number(element, "north", 0);
+    String name = things.name("post", values.attribute(element, "name"));
+    things.add(obstacle(element, name, new Disc(east, north, radius)));
+  }
+
+  private void obstacle(Element element) {
+    String name = things.name("obstacle", values.attribute(element, "name"));
+    numbers.polygon(element).ifPresent(outline -> things.add(obstacle(element, name, outline)));
+  }
+
+  private ObstacleDescription obstacle(Element element, String name, Outline outline) {
+    return new ObstacleDescription(
+        name,
+        outline,
+        numbers.number(element, "height", Things.HEIGHT),
+        numbers.number(element, "reflectivity", ObstacleDescription.REFLECTIVITY),
+        numbers.colour(element, ObstacleDescription.colour(outline)),
+        values.place(element));
+  }
+
+  private void mine(Element element) {
+    things.add(
+        new MineDescription(
+            things.name("mine", values.attribute(element, "name")),
+            numbers.number(element, "east", 0),
+            numbers.number(element, "north", 0),
+            numbers.number(element, "radius", MineDescription.RADIUS),
+            numbers.number(element, "height", MineDescription.HEIGHT),
+            numbers.number(element, "contrast", MineDescription.CONTRAST),
+            numbers.colour(element, MineDescription.COLOUR),
+            values.place(element)));
+  }
+
+  private void features(Element element, LocalFrame frame) {
+    String href = values.attribute(element, "href");
+    if (href == null) {
+      return;
+    }
+    try {
+      Path path = file.resolveSibling(href).normalize();
+      if (Files.isRegularFile(path)) {
+        new GeoJsonReader(path, frame, things, faults).read();
+        return;
+      }
+    } catch (InvalidPathException e) {
+      // no path at all is no file either
+    }
+    values.check(
+        element, "the file \"" + href + "\" does not exist; name one, relative to " + file);
+  }
+
+  private List<VehicleDescription> robots(Element root) {
+    RobotElements reader = new RobotElements(values, numbers);
+    children(root, "defaults").forEach(reader::defaults);
+    List<VehicleDescription> robots = new ArrayList<>();
+    children(root, "robot").forEach(element -> reader.robot(element).ifPresent(robots::add));
+    return robots;
+  }
+
+  private static List<Element> children(Element element, String name) {
+    return element.getChildren(name, WorldXml.SCHEMA.namespace());
+  }
+}

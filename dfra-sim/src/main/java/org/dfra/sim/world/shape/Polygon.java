@@ -1,0 +1,124 @@
+package org.dfra.sim.world.shape;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A polygon that does not cross itself.
+ *
+ * @param corners at least three, counter-clockwise, the first not repeated at the end
+ */
+public record Polygon(List<Vertex> corners) implements Outline {
+
+  private static final double LEAST_AREA = 1e-6; // square metres
+
+  /** Turns the corners counter-clockwise and drops a last one that repeats the first. */
+  public Polygon {
+    List<Vertex> given = new ArrayList<>(corners);
+    if (given.size() > 1 && given.get(0).equals(given.get(given.size() - 1))) {
+      given.remove(given.size() - 1);
+    }
+    String complaint = complaint(given);
+    if (complaint != null) {
+      throw new IllegalArgumentException(complaint);
+    }
+    if (area(given) < 0) {
+      Collections.reverse(given);
+    }
+    corners = List.copyOf(given);
+  }
+
+  /** Square metres. */
+  public double area() {
+    return area(corners);
+  }
+
+  @Override
+  public boolean contains(double east, double north) {
+    boolean inside = false;
+    for (int i = 0; i < corners.size(); i++) {
+      Vertex a = corners.get(i);
+      Vertex b = corners.get((i + 1) % corners.size());
+      if (Lines.holds(a, b, east, north)) {
+        return true;
+      }
+      if (a.north() > north != b.north() > north
+          && east
+              < (b.east() - a.east()) * (north - a.north()) / (b.north() - a.north()) + a.east()) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  @Override
+  public Disc bounds() {
+    double west = corners.stream().mapToDouble(Vertex::east).min().orElseThrow();
+    double east = corners.stream().mapToDouble(Vertex::east).max().orElseThrow();
+    double south = corners.stream().mapToDouble(Vertex::north).min().orElseThrow();
+    double north = corners.stream().mapToDouble(Vertex::north).max().orElseThrow();
+    double x = (west + east) / 2;
+    double y = (south + north) / 2;
+    double farthest =
+        corners.stream()
+            .mapToDouble(c -> (c.east() - x) * (c.east() - x) + (c.north() - y) * (c.north() - y))
+            .max()
+            .orElseThrow();
+    return new Disc(x, y, Math.sqrt(farthest) * (1 + 1e-12));
+  }
+
+  /** What keeps these corners from being a polygon's; null if nothing does. */
+  private static @Nullable String complaint(List<Vertex> corners) {
+    int n = corners.size();
+    if (n < 3) {
+      return "a polygon of " + n + " corners encloses nothing; give three or more";
+    }
+    for (int i = 0; i < n; i++) {
+      if (corners.get(i).equals(corners.get((i + 1) % n))) {
+        return "the corner " + text(corners.get(i)) + " is given twice in a row; delete one";
+      }
+    }
+    for (int i = 0; i < n; i++) {
+      for (int j = i + 1; j < n; j++) {
+        Vertex a = corners.get(i);
+        Vertex b = corners.get(i + 1);
+        Vertex c = corners.get(j);
+        Vertex d = corners.get((j + 1) % n);
+        if (Lines.neighboursCross(i, j, n, a, b, c, d)) {
+          return "the polygon crosses itself: the edge from "
+              + text(a)
+              + " to "
+              + text(b)
+              + " meets the one from "
+              + text(c)
+              + " to "
+              + text(d)
+              + "; give the corners in their order around it";
+        }
+      }
+    }
+    return Math.abs(area(corners)) < LEAST_AREA
+        ? "the polygon encloses no area; give corners that do not lie on one line"
+        : null;
+  }
+
+  private static String text(Vertex corner) {
+    return corner.east() + "," + corner.north();
+  }
+
+  /** Square metres; negative where the corners go round clockwise. */
+  private static double area(List<Vertex> corners) {
+    double twice = 0;
+    Vertex origin = corners.get(0);
+    for (int i = 1; i + 1 < corners.size(); i++) {
+      Vertex a = corners.get(i);
+      Vertex b = corners.get(i + 1);
+      twice +=
+          (a.east() - origin.east()) * (b.north() - origin.north())
+              - (a.north() - origin.north()) * (b.east() - origin.east());
+    }
+    return twice / 2;
+  }
+}

@@ -1,0 +1,301 @@
+package org.dfra.sim.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.dfra.sim.device.Modules.await;
+import static org.dfra.sim.device.Modules.number;
+import static org.dfra.sim.device.Modules.parameter;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.dfra.drivers.uav.mavlink.MavlinkBatteryImpl;
+import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
+import org.dfra.drivers.uav.mavlink.MavlinkGpsImpl;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent.IncidentNoted;
+import org.dfra.event.Subscription;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.Disarm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.Hold;
+import org.dfra.flow.effector.FlightCommand.Land;
+import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightState;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.persona.FlightAttributes;
+import org.dfra.sim.device.uav.AutopilotSettings;
+import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What the drivers do while somebody commands the vehicle, and how they are examined. */
+class AutopilotDriverTest extends AutopilotOverTcp {
+
+  @ParameterizedTest
+  @EnumSource
+  void fliesWhereItIsToldAndComesHome(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      takeOff(flight, lease, 10);
+      assertThat(flight.flight().height()).isCloseTo(10, within(0.6));
+      assertThat(flight.flight().position().height()).isCloseTo(24.5, within(0.6));
+
+      GeoPosition there = place(24, 18, 15);
+      flight.obey(lease.key(), new GoTo(there, 6));
+      await().until(() -> distance(flight.flight().position(), there) < 0.1);
+      await().until(() -> flight.flight().speed() < 0.1);
+      await().until(() -> Math.abs(flight.flight().height() - 15) < 0.05);
+      FlightState state = flight.flight();
+      assertThat(state.phase()).isEqualTo(Phase.IN_AIR);
+      assertThat(state.isArmed()).isTrue();
+
+      flight.obey(lease.key(), new ReturnHome());
+      await().until(() -> flight.flight().phase() == Phase.LANDING);
+      await().until(() -> !flight.flight().isArmed());
+      await().until(() -> flight.flight().phase() == Phase.ON_GROUND); // told by another message
+      assertThat(distance(flight.flight().position(), place(0, 0, 0))).isLessThan(0.6);
+      assertThat(parameter(flight, "last_refusal")).isEqualTo("none");
+      assertThat(parameter(flight, "dropped_bytes")).isEqualTo("0");
+      assertThat(parameter(flight, "malformed_frames")).isEqualTo("0");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void tellsWhyTheVehicleRefuses(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software).withTimeToFirstFix(Duration.ofSeconds(12)));
+    List<String> incidents = new CopyOnWriteArrayList<>();
+    try (MavlinkFlightImpl flight = flight();
+        Subscription unused =
+            flight.subscribe(
+                delivery -> {
+                  if (delivery.event() instanceof IncidentNoted noted) {
+                    incidents.add(noted.incident().what());
+                  }
+                },
+                DeliveryPolicy.keepLast(100));
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      answers.put(ARM, 1);
+      await().until(() -> flight.readiness().serves());
+      await().until(() -> flight.flight().position() != null);
+      flight.obey(lease.key(), new Arm());
+      await().until(() -> parameter(flight, "last_refusal").contains("rejected for now"));
+      assertThat(parameter(flight, "last_refusal"))
+          .startsWith("uav/flight has not obeyed Arm: COMPONENT_ARM_DISARM is rejected for now")
+          .endsWith("give the command again in a while");
+      assertThat(parameter(flight, "last_order")).startsWith("Arm: COMPONENT_ARM_DISARM");
+      await().until(() -> incidents.contains(parameter(flight, "last_refusal")));
+      assertThat(flight.flight().isArmed()).isFalse();
+      answers.clear();
+      flight.obey(lease.key(), new Arm());
+      await().until(() -> flight.flight().isArmed());
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void passesOnWhatTheAutopilotSaidOfIt(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      takeOff(flight, lease, 5);
+      flight.obey(lease.key(), new GoTo(place(9000, 0, 5), 5));
+      await().until(() -> parameter(flight, "last_text").contains("outside the fence"));
+      await().until(() -> parameter(flight, "last_refusal").contains("denied"));
+      assertThat(parameter(flight, "last_refusal")).contains("GoTo: DO_REPOSITION is denied");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void sendsAgainWhatIsNotAnsweredAndCountsIt(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      await().until(() -> flight.readiness().serves());
+      deafTo = ARM;
+      flight.obey(lease.key(), new Arm());
+      await().until(() -> confirmations(ARM).size() >= 2);
+      deafTo = -1;
+      await().until(() -> flight.flight().isArmed());
+      List<Integer> confirmations = confirmations(ARM);
+      for (int i = 0; i < confirmations.size(); i++) {
+        assertThat(confirmations.get(i)).isEqualTo(i);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void saysWhatIsNeverAnswered(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      takeOff(flight, lease, 5);
+      deafTo = LAND;
+      flight.obey(lease.key(), new Land());
+      await().until(() -> parameter(flight, "last_refusal").contains("is not answered"));
+      assertThat(parameter(flight, "last_refusal"))
+          .startsWith("uav/flight has not obeyed Land: NAV_LAND was sent 4 times")
+          .contains("look at flight() whether it has done so all the same");
+      assertThat(confirmations(LAND)).containsExactly(0, 1, 2, 3);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void refusesAtOnceWhatCannotBe(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      await().until(() -> flight.readiness().serves());
+      await().until(() -> flight.flight().position() != null);
+      refuses(
+          () -> flight.obey(lease.key(), new GoTo(place(1, 1, 5), 1)),
+          "stands on the ground; have it take off first");
+      refuses(
+          () -> flight.obey(lease.key(), new TakeOff(121)),
+          "height 121.0 m above the place of take-off > max_height 120.0 m");
+      takeOff(flight, lease, 5);
+      refuses(() -> flight.obey(lease.key(), new Disarm()), "motors are not stopped in the air");
+      refuses(() -> flight.obey(lease.key(), new TakeOff(5)), "flies already");
+      flight.setParameter("max_height", "20");
+      refuses(() -> flight.obey(lease.key(), new GoTo(place(1, 1, 21), 1)), "height 21.0 m above");
+      assertThat(flight.flight().phase()).isEqualTo(Phase.IN_AIR);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void neverRepeatsAnOrderAfterTheNext(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      takeOff(flight, lease, 10);
+      deafTo = REPOSITION;
+      flight.obey(lease.key(), new GoTo(place(400, 0, 10), 4));
+      await().until(() -> !confirmations(REPOSITION).isEmpty());
+      flight.obey(lease.key(), new Hold());
+      await().until(() -> parameter(flight, "last_order").equals("Hold: DO_SET_MODE is accepted"));
+      int before = confirmations(REPOSITION).size();
+      deafTo = -1;
+      flight.obey(lease.key(), new Land()); // takes its time, in which a repetition would come
+      await().until(() -> !flight.flight().isArmed());
+      assertThat(confirmations(REPOSITION)).hasSize(before);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void sharesItsLinkWithTheSensorsBehindIt(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    MavlinkFlightImpl flight = flight();
+    MavlinkGpsImpl gps = new MavlinkGpsImpl(context("gps", Map.of()));
+    MavlinkBatteryImpl battery =
+        new MavlinkBatteryImpl(context("battery", Map.of("period", "0.5")));
+    try (flight;
+        gps;
+        battery) {
+      gps.start();
+      battery.start();
+      await().until(() -> gps.readiness().serves());
+      await().until(() -> battery.readiness().serves());
+
+      GpsFix fix = gps.fix();
+      assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+      assertThat(distance(fix.position(), DATUM)).isLessThan(0.02);
+      assertThat(fix.position().height()).isCloseTo(14.5, within(0.002));
+      assertThat(fix.dilution()).isCloseTo(1.5, within(1e-6)); // of 0.9 and 1.2
+      assertThat(fix.satellitesTracked()).isEqualTo(11);
+      await().until(() -> gps.time() != null); // SYSTEM_TIME comes later
+      assertThat(Duration.between(gps.time().utc(), clock.instant()).abs())
+          .isLessThan(Duration.ofSeconds(20));
+      assertThat(gps.location().frame()).isEqualTo("uav/gps");
+
+      assertThat(battery.battery().voltage()).isCloseTo(15.8, within(0.01));
+      assertThat(battery.battery().current()).isCloseTo(4.2, within(0.01));
+      assertThat(battery.battery().remaining()).isCloseTo(0.87, within(0.001));
+      assertThat(battery.battery().isEstimated()).isFalse();
+      for (String test : gps.tests()) {
+        assertPassed(gps.test(test));
+      }
+      for (String test : battery.tests()) {
+        assertPassed(battery.test(test));
+      }
+
+      flight.close();
+      long frames = number(gps, "frames");
+      await().until(() -> number(gps, "frames") > frames + 5);
+      assertThat(gps.readiness().serves()).isTrue();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void examinesItself(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      await().until(() -> flight.readiness().serves());
+      await().until(() -> flight.flight().position() != null);
+      assertThat(flight.tests()).containsExactly("link", "identification", "readings", "position");
+      for (String test : flight.tests()) {
+        assertPassed(flight.test(test));
+      }
+      assertThat(flight.test("identification").finding())
+          .contains(software == AutopilotSoftware.PX4 ? "PX4 quadrotor" : "ArduPilot quadrotor")
+          .contains(software == AutopilotSoftware.PX4 ? "1.15.4" : "4.6.0");
+      assertThat(flight.attributes()).hasAtLeastOneElementOfType(FlightAttributes.class);
+      assertPassed(flight.recover("reopen_link"));
+      await().until(() -> flight.readiness().serves());
+      emulator.cable().pull();
+      await().until(() -> flight.readiness() == Readiness.INITIALIZING);
+      assertThat(flight.test("link").passed()).isFalse();
+      assertThat(flight.test("identification").passed()).isFalse();
+      assertThat(flight.test("position").passed()).isFalse();
+      emulator.cable().restore();
+      await().until(() -> flight.readiness().serves());
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void goesOnThroughSilenceAndGarbage(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    long seed = Long.getLong("dfra.seed", new Random().nextLong());
+    emulator.cable().storm(seed);
+    try (MavlinkFlightImpl flight = flight()) {
+      await("-Ddfra.seed=" + seed).until(() -> number(flight, "dropped_bytes") > 10_000);
+      emulator.cable().restore();
+      await("-Ddfra.seed=" + seed).until(() -> flight.readiness().serves());
+      emulator.cable().silence();
+      await("-Ddfra.seed=" + seed).until(() -> flight.readiness() == Readiness.INITIALIZING);
+      assertThatThrownBy(flight::flight)
+          .as("-Ddfra.seed=%d", seed)
+          .isInstanceOf(NotReadyException.class)
+          .hasMessageContaining("HEARTBEAT of an autopilot");
+      emulator.cable().restore();
+      await("-Ddfra.seed=" + seed).until(() -> flight.readiness().serves());
+    }
+  }
+
+  private static void assertPassed(Diagnosis diagnosis) {
+    assertThat(diagnosis.passed()).as("%s", diagnosis).isTrue();
+  }
+
+  private static void refuses(ThrowingCallable call, String why) {
+    assertThatThrownBy(call).isInstanceOf(IllegalArgumentException.class).hasMessageContaining(why);
+  }
+}

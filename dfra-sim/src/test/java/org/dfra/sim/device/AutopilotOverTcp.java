@@ -1,0 +1,148 @@
+package org.dfra.sim.device;
+
+import static org.dfra.sim.device.Modules.await;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.state.StateStore;
+import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.body.BatteryBody.Charge;
+import org.dfra.sim.device.uav.AutopilotDevice;
+import org.dfra.sim.device.uav.AutopilotSettings;
+import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+
+/** The drivers of an unmanned aerial vehicle with its emulated autopilot, over TCP. */
+@Timeout(240)
+abstract class AutopilotOverTcp {
+
+  /** Forty metres above sea, where the geoid is 25.5 m below the ellipsoid. */
+  static final GeoPosition DATUM = new GeoPosition(27.9506, -82.4572, 14.5);
+
+  static final LocalFrame WORLD = new LocalFrame(DATUM);
+  static final int ARM = 400;
+  static final int LAND = 21;
+  static final int MODE = 176;
+  static final int REPOSITION = 192;
+
+  /** What the vehicle was told: the command and how often it was sent before. */
+  record Told(int command, int confirmation) {}
+
+  final InstantSource clock = FastClock.of(4);
+  final Quad quad = new Quad();
+  final List<Told> told = new CopyOnWriteArrayList<>();
+  final Map<Integer, Integer> answers = new ConcurrentHashMap<>();
+  volatile int deafTo = -1;
+  DeviceEmulator emulator;
+
+  @AfterEach
+  void end() throws IOException {
+    emulator.close();
+  }
+
+  void takeOff(MavlinkFlightImpl flight, CommandLease lease, double height) {
+    await().until(() -> flight.readiness().serves());
+    await().until(() -> flight.flight().position() != null);
+    flight.obey(lease.key(), new Arm());
+    await().until(() -> flight.flight().isArmed());
+    flight.obey(lease.key(), new TakeOff(height));
+    await().until(() -> flight.flight().height() > height - 0.6);
+    await().until(() -> flight.flight().phase() == Phase.IN_AIR);
+  }
+
+  void begin(AutopilotSettings settings) throws IOException {
+    AutopilotDevice device =
+        new AutopilotDevice(
+            settings.with(this::answer),
+            DATUM,
+            quad,
+            AntennaPath.fixed(DATUM),
+            time -> new Charge(15.8, 4.2, 0.87));
+    emulator = new DeviceEmulator("autopilot", 0, device, clock);
+    emulator.start();
+  }
+
+  Integer answer(int command, int confirmation) {
+    told.add(new Told(command, confirmation));
+    return command == deafTo ? Integer.valueOf(AutopilotSettings.Whims.DEAF) : answers.get(command);
+  }
+
+  List<Integer> confirmations(int command) {
+    return told.stream().filter(each -> each.command() == command).map(Told::confirmation).toList();
+  }
+
+  MavlinkFlightImpl flight() {
+    MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight", Map.of()));
+    flight.start();
+    return flight;
+  }
+
+  ModuleContext context(String name, Map<String, String> parameters) {
+    Map<String, String> all = new HashMap<>(parameters);
+    all.put("link", emulator.url());
+    return new ModuleContext(
+        "uav",
+        name,
+        Parameters.of("uav/" + name, all),
+        clock,
+        StateStore.inMemory(),
+        Modules.LONG_LEASES,
+        Scheduler.system());
+  }
+
+  /** One that does not miss its ground station soon. */
+  static AutopilotSettings patientOf(AutopilotSoftware software) {
+    AutopilotSettings usual = AutopilotSettings.of(software);
+    return new AutopilotSettings(
+        software,
+        usual.vehicle(),
+        usual.baud(),
+        usual.separation(),
+        usual.timeToFirstFix(),
+        Duration.ofHours(1),
+        usual.returnsAfter(),
+        usual.returnHeight(),
+        usual.whims());
+  }
+
+  static double far(MavlinkFlightImpl flight) {
+    return flight.flight().position().groundDistance(DATUM);
+  }
+
+  /** Metres, heights included. */
+  static double distance(GeoPosition a, GeoPosition b) {
+    LocalPosition at = WORLD.toLocal(a);
+    LocalPosition to = WORLD.toLocal(b);
+    return Math.hypot(
+        Math.hypot(at.east() - to.east(), at.north() - to.north()), at.up() - to.up());
+  }
+
+  /** A place by metres from the datum; the earth is flat enough for tens of metres. */
+  static GeoPosition place(double east, double north, double up) {
+    double latitude = Math.toRadians(DATUM.latitude());
+    double w = 1 - 6.694379990141e-3 * Math.pow(Math.sin(latitude), 2);
+    double meridian = 6_378_137 * (1 - 6.694379990141e-3) / Math.pow(w, 1.5) + DATUM.height();
+    double parallel = (6_378_137 / Math.sqrt(w) + DATUM.height()) * Math.cos(latitude);
+    return new GeoPosition(
+        DATUM.latitude() + Math.toDegrees(north / meridian),
+        DATUM.longitude() + Math.toDegrees(east / parallel),
+        DATUM.height() + up);
+  }
+}

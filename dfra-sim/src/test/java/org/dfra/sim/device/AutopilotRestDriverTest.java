@@ -1,0 +1,167 @@
+package org.dfra.sim.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.dfra.sim.device.Modules.await;
+import static org.dfra.sim.device.Modules.parameter;
+
+import java.time.Duration;
+import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.Hold;
+import org.dfra.flow.effector.FlightCommand.Land;
+import org.dfra.flow.effector.FlightState;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.sim.device.uav.AutopilotSettings;
+import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What becomes of a vehicle without a commander, or without a ground station. */
+class AutopilotRestDriverTest extends AutopilotOverTcp {
+
+  @ParameterizedTest
+  @EnumSource
+  void holdsItsPlaceWithoutACommanderAndObeysTheNext(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        takeOff(flight, lease, 10);
+        flight.obey(lease.key(), new GoTo(place(400, 0, 10), 4));
+        await().until(() -> flight.flight().speed() > 3);
+      }
+      await().until(() -> flight.flight().speed() < 0.1);
+      FlightState held = flight.flight();
+      assertThat(held.phase()).isEqualTo(Phase.IN_AIR);
+      assertThat(held.height()).isCloseTo(10, within(0.6));
+      assertThat(distance(held.position(), place(400, 0, 10))).isGreaterThan(100);
+      try (CommandLease next = flight.command(Duration.ofMinutes(10))) {
+        GeoPosition there = place(0, 0, 12);
+        flight.obey(next.key(), new GoTo(there, 8));
+        await().until(() -> distance(flight.flight().position(), there) < 0.1);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void isToldToHoldWhenTheModuleIsClosed(AutopilotSoftware software) throws Exception {
+    begin(patientOf(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      CommandLease lease = flight.command(Duration.ofMinutes(10));
+      takeOff(flight, lease, 10);
+      flight.obey(lease.key(), new GoTo(place(4000, 0, 10), 1));
+      await().until(() -> flight.flight().speed() > 0.5);
+    }
+    await().until(() -> quad.at(clock.instant()).eastward() == 0);
+    assertThat(quad.at(clock.instant()).up()).isGreaterThan(9);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void landsOnWhenItsCommanderLetsGoAfterTheOrder(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        takeOff(flight, lease, 8);
+        flight.obey(lease.key(), new Land());
+      }
+      await().until(() -> !flight.flight().isArmed());
+      await().until(() -> flight.flight().phase() == Phase.ON_GROUND); // told by another message
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void disarmsOnTheGroundWithoutACommander(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        await().until(() -> flight.readiness().serves());
+        flight.obey(lease.key(), new Arm());
+        await().until(() -> flight.flight().isArmed());
+      }
+      await().until(() -> !flight.flight().isArmed());
+      assertThat(parameter(flight, "last_order")).startsWith("coming to rest");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void asksForRestUntilItIsGranted(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        takeOff(flight, lease, 10);
+        flight.obey(lease.key(), new GoTo(place(2000, 0, 10), 2));
+        await().until(() -> flight.flight().speed() > 1);
+        answers.put(MODE, 1);
+      }
+      await().until(() -> parameter(flight, "last_refusal").contains("DO_SET_MODE"));
+      answers.clear();
+      await().until(() -> flight.flight().speed() < 0.1);
+      assertThat(parameter(flight, "last_order"))
+          .isEqualTo("coming to rest: DO_SET_MODE is accepted");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void comesToRestWhenTheLinkIsBackThatWasLostBeforeItsCommander(AutopilotSoftware software)
+      throws Exception {
+    begin(patientOf(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        takeOff(flight, lease, 10);
+        flight.obey(lease.key(), new GoTo(place(4000, 0, 10), 1));
+        await().until(() -> flight.flight().speed() > 0.5);
+        emulator.cable().pull();
+        await().until(() -> flight.readiness() == Readiness.INITIALIZING);
+        assertThatThrownBy(() -> flight.obey(lease.key(), new Hold()))
+            .isInstanceOf(NotReadyException.class);
+      }
+      emulator.cable().restore();
+      await().until(() -> flight.readiness().serves());
+      await().until(() -> flight.flight().speed() < 0.1);
+      assertThat(flight.flight().phase()).isEqualTo(Phase.IN_AIR);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void leavesAVehicleAloneThatItHasNotCommanded(AutopilotSoftware software) throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight()) {
+      await().until(() -> flight.readiness().serves());
+      flight.command(Duration.ofMinutes(10)).close();
+      assertThat(flight.test("identification").passed()).isTrue(); // an answer came after that
+      assertThat(told).noneMatch(each -> each.command() == MODE || each.command() == ARM);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void returnsHomeByItselfWhenItMissesItsGroundStation(AutopilotSoftware software)
+      throws Exception {
+    begin(AutopilotSettings.of(software));
+    try (MavlinkFlightImpl flight = flight();
+        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      takeOff(flight, lease, 10);
+      flight.obey(lease.key(), new GoTo(place(60, 0, 10), 8));
+      await().until(() -> flight.flight().position() != null && far(flight) > 30);
+      emulator.cable().pull();
+      await().until(() -> quad.at(clock.instant()).up() == 0);
+      emulator.cable().restore();
+      await().until(() -> flight.readiness().serves());
+      await().until(() -> !flight.flight().isArmed());
+      assertThat(far(flight)).isLessThan(1);
+      assertThat(flight.history().failures()).isEqualTo(1);
+    }
+  }
+}

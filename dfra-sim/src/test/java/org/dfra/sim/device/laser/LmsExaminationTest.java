@@ -1,0 +1,144 @@
+package org.dfra.sim.device.laser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.dfra.sim.device.Modules.await;
+import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.awaitReadiness;
+import static org.dfra.sim.device.Modules.parameter;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import org.dfra.drivers.laser.lms.LmsImpl;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.Readiness;
+import org.dfra.sim.device.FastClock;
+import org.dfra.sim.device.laser.LmsMakeup.Error;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The real driver examines and mends the emulated laser. */
+@Timeout(240)
+class LmsExaminationTest {
+
+  private final InstantSource clock = FastClock.of(Laser.SPEED);
+  private final LmsMakeup makeup = LmsMakeup.sold().leftAt(38_400);
+
+  @Test
+  void passesItsTestsWhenAllIsWell() throws IOException {
+    try (Laser laser = new Laser(makeup, clock);
+        LmsImpl driver = laser.driver("idle_after", "0")) {
+      awaitReadiness(driver, Readiness.READY);
+      assertThat(driver.tests()).containsExactly("link", "readings", "status", "type", "errors");
+      for (String test : driver.tests()) {
+        assertPassed(driver.test(test));
+      }
+      assertThat(driver.test("status").finding())
+          .isEqualTo(
+              "software V02.30, laser on, window at 100 % of clean, light at 100 %, severity NONE");
+      assertThat(driver.test("type").finding()).isEqualTo("it says it is LMS200;30106;V02.30");
+      assertThat(driver.test("errors").finding()).isEqualTo("it remembers no errors");
+      assertThat(driver.readiness()).as("asking disturbs nothing").isEqualTo(Readiness.READY);
+      assertThat(driver.history().failures()).isZero();
+      assertThat(driver.preconditions()).isNotEmpty();
+    }
+  }
+
+  @Test
+  void asksALaserThatRests() throws IOException {
+    try (Laser laser = new Laser(makeup, clock);
+        LmsImpl driver = laser.driver("idle_after", "0.5")) {
+      awaitReadiness(driver, Readiness.READY);
+      for (String test : driver.tests()) {
+        assertPassed(driver.test(test));
+      }
+    }
+  }
+
+  @Test
+  void findsADirtyWindow() throws IOException {
+    try (Laser laser = new Laser(makeup.cleanTo(40), clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      Diagnosis status = driver.test("status");
+      assertThat(status.passed()).isFalse();
+      assertThat(status.finding()).contains("window at 40 % of clean").endsWith("window dirty");
+      assertThat(parameter(driver, "status")).isEqualTo("severity NONE, window dirty");
+    }
+  }
+
+  @Test
+  void findsErrorsButForThoseThatAreOver() throws IOException {
+    try (Laser laser = new Laser(makeup.remembering(new Error(2, 21), new Error(0x83, 5)), clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      Diagnosis errors = driver.test("errors");
+      assertThat(errors.passed()).isFalse();
+      assertThat(errors.finding())
+          .isEqualTo("it remembers error 21 (WARNING), error 5 (ERROR, over)");
+      assertThat(driver.test("status").passed()).as("its severity is WARNING").isFalse();
+    }
+    try (Laser laser = new Laser(makeup.remembering(new Error(0x83, 5)), clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      assertPassed(driver.test("errors"));
+    }
+  }
+
+  @Test
+  void findsASilentLaser() throws IOException {
+    try (Laser laser = new Laser(makeup, clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      laser.cable().silence();
+      assertThat(driver.test("status").passed()).isFalse();
+      laser.cable().pull();
+      awaitReadiness(driver, Readiness.INITIALIZING);
+      awaitNoLink(driver);
+      await() // it may be open for a moment, see awaitNoLink
+          .untilAsserted(
+              () ->
+                  assertThat(driver.recover("renegotiate").finding())
+                      .startsWith("the link is not open: "));
+      assertThat(driver.recover("reset").passed()).isFalse();
+    }
+  }
+
+  @Test
+  void reopensTheLink() throws IOException {
+    try (Laser laser = new Laser(makeup, clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      assertPassed(driver.recover("reopen_link"));
+      awaitReadiness(driver, Readiness.READY);
+    }
+  }
+
+  @Test
+  void resetsTheLaserAndTellsItAnewWhatToDo() throws IOException {
+    try (Laser laser = new Laser(makeup.switchedOn(Duration.ofSeconds(3)), clock);
+        LmsImpl driver = laser.driver("resolution", "1", "baud", "38400")) {
+      awaitReadiness(driver, Readiness.READY);
+      assertThat(laser.device().baud()).isEqualTo(38_400);
+      assertPassed(driver.recover("reset"));
+      awaitReadiness(driver, Readiness.READY);
+      assertThat(Laser.scan(driver).beams()).isEqualTo(181);
+      assertThat(laser.device().baud()).isEqualTo(38_400);
+      assertThat(laser.device().flashWrites()).as("its flash outlives a reset").isEqualTo(1);
+    }
+  }
+
+  @Test
+  void searchesTheLaserAnew() throws IOException {
+    try (Laser laser = new Laser(makeup, clock);
+        LmsImpl driver = laser.driver()) {
+      awaitReadiness(driver, Readiness.READY);
+      assertPassed(driver.recover("renegotiate"));
+      awaitReadiness(driver, Readiness.READY);
+    }
+  }
+
+  private static void assertPassed(Diagnosis diagnosis) {
+    assertThat(diagnosis.passed()).as("%s", diagnosis).isTrue();
+  }
+}

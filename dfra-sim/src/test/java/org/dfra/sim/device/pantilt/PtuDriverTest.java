@@ -1,0 +1,267 @@
+package org.dfra.sim.device.pantilt;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.dfra.sim.device.Modules.await;
+import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.number;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.state.StateStore;
+import org.dfra.drivers.pantilt.ptu.PtuImpl;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent.NewReading;
+import org.dfra.event.Subscription;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.PanTiltCommand.Halt;
+import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltState;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.FastClock;
+import org.dfra.sim.device.Modules;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The real driver and the emulated unit, at 9600 baud over TCP, in real time. */
+@Timeout(240)
+class PtuDriverTest {
+
+  private static final double FAST = Math.toRadians(100);
+
+  /** Half a position. */
+  private static final double NEAR = Math.toRadians(185.1428 / 3600) / 2 + 1e-9;
+
+  /** Where the head of the world points. */
+  private static final class Head {
+    volatile double pan;
+    volatile double tilt;
+  }
+
+  private final Head head = new Head();
+  private DeviceEmulator emulator;
+  private PtuImpl unit;
+
+  @BeforeEach
+  void start() throws IOException {
+    emulator = emulated(false, InstantSource.system());
+    unit = driver(emulator.url(), InstantSource.system());
+    unit.start();
+  }
+
+  @AfterEach
+  void end() {
+    unit.close();
+    emulator.close();
+  }
+
+  @Test
+  void pointsWhereItIsToldAndTellsItAsItMoves() throws Exception {
+    awaitReadiness(Readiness.READY);
+    List<PanTiltState> states = new CopyOnWriteArrayList<>();
+    try (CommandLease lease = unit.command(Duration.ofMinutes(5));
+        Subscription unused = listen(states)) {
+      unit.obey(lease.key(), new Point(0.8, -0.4, FAST));
+      awaitArrival(0.8, -0.4);
+      assertThat(head.pan).isCloseTo(0.8, within(NEAR));
+      assertThat(head.tilt).isCloseTo(-0.4, within(NEAR));
+      await().until(() -> states.stream().anyMatch(each -> each.isMoving() && each.pan() > 0.1));
+      assertThat(unit.localTransform().yaw()).isCloseTo(0.8, within(NEAR));
+      assertThat(unit.localTransform().pitch()).as("down").isCloseTo(0.4, within(NEAR));
+      unit.obey(lease.key(), new Point(-0.2, 0.1, FAST));
+      awaitArrival(-0.2, 0.1);
+    }
+  }
+
+  @Test
+  void haltsOnTheWayByCommandAndWhenItsCommanderIsGone() throws Exception {
+    awaitReadiness(Readiness.READY);
+    double slow = Math.toRadians(5);
+    try (CommandLease lease = unit.command(Duration.ofMinutes(5))) {
+      unit.obey(lease.key(), new Point(2.5, 0, slow));
+      await().until(() -> unit.panTilt().pan() > 0.05);
+      unit.obey(lease.key(), new Halt());
+      awaitStandstill();
+      assertThat(unit.panTilt().pan()).isLessThan(2.4);
+      unit.obey(lease.key(), new Point(-2.5, 0, slow));
+      await().until(() -> unit.panTilt().isMoving());
+    }
+    awaitStandstill();
+    assertThat(head.pan).as("it did not go on to where it was told").isGreaterThan(-2.4);
+  }
+
+  @Test
+  void comesBackWhenTheCableWasPulledAndPutBack() {
+    awaitReadiness(Readiness.READY);
+    for (int pulled = 1; pulled <= 2; pulled++) {
+      emulator.cable().pull();
+      awaitReadiness(Readiness.INITIALIZING);
+      assertThatThrownBy(unit::panTilt).isInstanceOf(NotReadyException.class);
+      emulator.cable().restore();
+      awaitReadiness(Readiness.READY);
+      assertThat(unit.history().failures()).isEqualTo(pulled);
+    }
+  }
+
+  @Test
+  void noticesASilentUnitAndItsReturn() throws Exception {
+    awaitReadiness(Readiness.READY);
+    try (CommandLease lease = unit.command(Duration.ofMinutes(5))) {
+      emulator.cable().silence();
+      awaitReadiness(Readiness.INITIALIZING);
+      assertThatThrownBy(() -> unit.obey(lease.key(), new Point(0, 0, 1)))
+          .isInstanceOf(NotReadyException.class);
+      emulator.cable().restore();
+      await().until(() -> unit.readiness() == Readiness.ACTIVE);
+    }
+  }
+
+  @Test
+  void getsOverAStormOfGarbage() {
+    awaitReadiness(Readiness.READY);
+    long seed = Long.getLong("dfra.seed", new Random().nextLong());
+    emulator.cable().storm(seed);
+    await("-Ddfra.seed=" + seed).until(() -> number(unit, "dropped_bytes") > 5_000);
+    emulator.cable().restore();
+    // Noise that reads !P is believed, and then nobody knows any more where the head points.
+    await("-Ddfra.seed=" + seed)
+        .until(
+            () ->
+                unit.readiness() == Readiness.READY
+                    || (unit.readiness() == Readiness.FAILED
+                        && unit.recover("reset_by_moving").passed()));
+    await("-Ddfra.seed=" + seed)
+        .until(() -> unit.panTilt().pan() == 0 && unit.panTilt().tilt() == 0);
+  }
+
+  @Test
+  void waitsForAUnitThatIsJustSwitchedOn() throws IOException {
+    InstantSource fast = FastClock.of(5);
+    try (DeviceEmulator cold = emulated(true, fast);
+        PtuImpl patient = driver(cold.url(), fast)) {
+      patient.start();
+      assertThat(patient.readiness()).isEqualTo(Readiness.INITIALIZING);
+      await().until(() -> patient.readiness() == Readiness.READY);
+      assertThat(patient.panTilt().pan()).isZero();
+    }
+  }
+
+  @Test
+  void passesItsTestsWhenAllIsWellAndFailsThemWhenNot() {
+    awaitReadiness(Readiness.READY);
+    assertThat(unit.tests()).containsExactly("link", "readings", "identification");
+    for (String test : unit.tests()) {
+      assertThat(unit.test(test)).as(test).matches(Diagnosis::passed);
+    }
+    assertThat(unit.test("identification").finding())
+        .isEqualTo("it says it is Pan-Tilt Controller v1.10 (EMULATOR)");
+    emulator.cable().pull();
+    awaitReadiness(Readiness.INITIALIZING);
+    awaitNoLink(unit);
+    for (String test : unit.tests()) {
+      assertThat(unit.test(test).passed()).as(test).isFalse();
+    }
+    assertThat(unit.recover("reset_by_moving").passed()).isFalse();
+    emulator.cable().restore();
+    Diagnosis reopened = unit.recover("reopen_link");
+    assertThat(reopened).as("%s", reopened).matches(Diagnosis::passed);
+    awaitReadiness(Readiness.READY);
+  }
+
+  @Test
+  void isResetByMoving() throws Exception {
+    InstantSource fast = FastClock.of(5);
+    try (DeviceEmulator quick = emulated(false, fast);
+        PtuImpl reset = driver(quick.url(), fast)) {
+      reset.start();
+      await().until(() -> reset.readiness() == Readiness.READY);
+      try (CommandLease lease = reset.command(Duration.ofMinutes(5))) {
+        reset.obey(lease.key(), new Point(0.3, 0.2, FAST));
+        await().until(() -> head.pan > 0.1 && head.tilt > 0.1);
+      }
+      Diagnosis done = reset.recover("reset_by_moving");
+      assertThat(done).as("%s", done).matches(Diagnosis::passed);
+      assertThat(done.finding()).contains("points to 0, 0");
+      assertThat(head.pan).isZero();
+      assertThat(head.tilt).isZero();
+      await().until(() -> reset.readiness() == Readiness.READY);
+    }
+  }
+
+  private Subscription listen(List<PanTiltState> states) {
+    return unit.subscribe(
+        delivery -> {
+          if (delivery.event() instanceof NewReading reading
+              && reading.reading() instanceof PanTiltState state) {
+            states.add(state);
+          }
+        },
+        DeliveryPolicy.keepLast(100));
+  }
+
+  private void awaitArrival(double pan, double tilt) {
+    await()
+        .until(
+            () -> {
+              PanTiltState now = unit.panTilt();
+              return !now.isMoving()
+                  && Math.abs(now.pan() - pan) < NEAR
+                  && Math.abs(now.tilt() - tilt) < NEAR;
+            });
+  }
+
+  private void awaitStandstill() {
+    await()
+        .until(
+            () -> {
+              PanTiltState now = unit.panTilt();
+              await()
+                  .until(() -> unit.panTilt().measured().isAfter(now.measured().plusMillis(200)));
+              return !now.isMoving() && unit.panTilt().pan() == now.pan();
+            });
+  }
+
+  private DeviceEmulator emulated(boolean resets, InstantSource clock) throws IOException {
+    PtuDevice device =
+        new PtuDevice(
+            (time, pan, tilt) -> {
+              head.pan = pan;
+              head.tilt = tilt;
+            },
+            9600,
+            resets);
+    DeviceEmulator made = new DeviceEmulator("ptu", 0, device, clock);
+    made.start();
+    return made;
+  }
+
+  private static PtuImpl driver(String link, InstantSource clock) {
+    return new PtuImpl(
+        new ModuleContext(
+            "atrv1",
+            "pan_tilt",
+            Parameters.of("atrv1/pan_tilt", Map.of("link", link, "reopen_longest", "1")),
+            clock,
+            StateStore.inMemory(),
+            Modules.LONG_LEASES,
+            Scheduler.system()));
+  }
+
+  private void awaitReadiness(Readiness expected) {
+    Modules.awaitReadiness(unit, expected);
+  }
+}

@@ -1,0 +1,182 @@
+package org.dfra.sim.time;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.dfra.core.module.DeviceImpl;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.module.NotReadyException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * A run is repeated bit by bit, whatever else the computer has to do: all the while there are twice
+ * as many busy threads as processors. {@code -Ddfra.full=true} repeats 50 times, otherwise 4;
+ * {@code -Ddfra.seed=n} repeats the runs of a failure.
+ */
+@Timeout(900)
+class BitReproducibilityTest {
+
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+  private static final int RUNS = FULL ? 50 : 3;
+  private static final int LOAD = (FULL ? 2 : 1) * Runtime.getRuntime().availableProcessors();
+
+  private final long seed = Long.getLong("dfra.seed", new Random().nextLong());
+  private final AtomicBoolean busy = new AtomicBoolean(true);
+  private final List<Thread> load = new ArrayList<>();
+
+  @BeforeEach
+  void loadTheComputer() {
+    for (int i = 0; i < LOAD; i++) {
+      load.add(
+          spawn(
+              () -> {
+                byte[] garbage = new byte[0];
+                while (busy.get()) {
+                  garbage = new byte[1000 + garbage.length % 7]; // keeps the collector busy too
+                }
+              }));
+    }
+  }
+
+  @AfterEach
+  void unload() throws InterruptedException {
+    busy.set(false);
+    for (Thread thread : load) {
+      thread.join();
+    }
+  }
+
+  private static Thread spawn(Runnable work) {
+    Thread thread = new Thread(work, "load");
+    thread.setDaemon(true);
+    thread.start();
+    return thread;
+  }
+
+  @Test
+  void theSameSeedHasTheSameBytesAndReadingsInOneVirtualMachine() throws Exception {
+    String first = run(seed);
+    assertThat(first)
+        .as("-Ddfra.seed=%d: something to be repeated", seed)
+        .contains(
+            " m12 >",
+            " nmea <",
+            " ubx >",
+            " gpsd >",
+            "told ",
+            "rarely told ",
+            " fault ",
+            " changed ")
+        .contains("NewReading", "RangeScan", "ReadinessChanged", "IncidentNoted", "closed");
+    for (int i = 1; i < RUNS; i++) {
+      assertSame(first, run(seed), "run " + i);
+    }
+  }
+
+  @Test
+  void theSameSeedHasTheSameBytesAndReadingsInTwoVirtualMachines() throws Exception {
+    String here = SeededRobot.digest(run(seed));
+    for (String option : List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")) {
+      assertThat(runElsewhere(option)).as("-Ddfra.seed=%d, %s", seed, option).isEqualTo(here);
+    }
+  }
+
+  @Test
+  void whoAsksTheDriversMeanwhileChangesNothing() throws Exception {
+    String alone = run(seed);
+    try (SeededRobot robot = new SeededRobot(seed)) {
+      AtomicBoolean asks = new AtomicBoolean(true);
+      CompletableFuture<Void> asker =
+          CompletableFuture.runAsync(
+              () -> ask(robot.drivers(), asks), BitReproducibilityTest::spawn);
+      String watched = robot.run();
+      asks.set(false);
+      asker.get(60, TimeUnit.SECONDS);
+      assertSame(alone, watched, "watched");
+    }
+  }
+
+  private static void ask(List<DeviceImpl> drivers, AtomicBoolean asks) {
+    while (asks.get()) {
+      for (DeviceImpl driver : drivers) {
+        assertThat(driver.parameters()).isNotEmpty();
+        assertThat(driver.attributes()).isNotEmpty();
+        assertThat(driver.history()).isNotNull();
+        if (driver instanceof GPSSensor gps && driver.readiness().serves()) {
+          askForAFix(gps);
+        }
+      }
+    }
+  }
+
+  private static void askForAFix(GPSSensor gps) {
+    try {
+      assertThat(gps.fix()).isNotNull();
+    } catch (NotReadyException e) {
+      assertThat(e).as("it has lost it just now").hasMessageStartingWith("robot/");
+    } catch (RemoteException e) {
+      throw new AssertionError("it is in this virtual machine", e);
+    }
+  }
+
+  @Test
+  void anotherSeedIsAnotherRun() {
+    assertThat(SeededRobot.digest(run(seed))).isNotEqualTo(SeededRobot.digest(run(seed + 1)));
+  }
+
+  private static String run(long seed) {
+    try (SeededRobot robot = new SeededRobot(seed)) {
+      return robot.run();
+    }
+  }
+
+  private String runElsewhere(String option) throws IOException, InterruptedException {
+    Process process =
+        new ProcessBuilder(
+                System.getProperty("java.home") + "/bin/java",
+                option,
+                "-cp",
+                System.getProperty("java.class.path"),
+                SeededRobot.class.getName(),
+                Long.toString(seed))
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    try {
+      String printed = process.inputReader(StandardCharsets.UTF_8).readLine();
+      assertThat(process.waitFor(120, TimeUnit.SECONDS)).as("it ends").isTrue();
+      return printed;
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  /** Tells the first line that differs, not two records of a hundred thousand. */
+  private void assertSame(String expected, String actual, String which) {
+    if (expected.equals(actual)) {
+      return;
+    }
+    List<String> before = expected.lines().toList();
+    List<String> after = actual.lines().toList();
+    int same = 0;
+    while (same < Math.min(before.size(), after.size())
+        && before.get(same).equals(after.get(same))) {
+      same++;
+    }
+    assertThat(after.subList(same, Math.min(after.size(), same + 3)))
+        .as("-Ddfra.seed=%d, %s differs from line %d on", seed, which, same)
+        .isEqualTo(before.subList(same, Math.min(before.size(), same + 3)));
+    throw new AssertionError(
+        "-Ddfra.seed=" + seed + ", " + which + ": one is longer than the other");
+  }
+}
