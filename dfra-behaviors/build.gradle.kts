@@ -1,3 +1,5 @@
 dependencies {
     api(project(":dfra-core"))
+    implementation(rootProject.libs.jts.core)
+    implementation(rootProject.libs.ejml.ddense)
 }

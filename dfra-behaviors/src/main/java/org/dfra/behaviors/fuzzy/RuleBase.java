@@ -74,8 +74,8 @@ final class RuleBase {
 
   private double all(int[] places) {
     double strength = 1; // where nothing is asked for
-    for (int place : places) {
-      strength = and.of(strength, memberships[place]);
+    for (int i = 0; i < places.length && strength > 0; i++) { // nothing raises it from 0
+      strength = and.of(strength, memberships[places[i]]);
     }
     return strength;
   }

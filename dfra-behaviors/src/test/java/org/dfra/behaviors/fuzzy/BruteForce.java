@@ -103,17 +103,18 @@ final class BruteForce {
   private Answer mamdani(int output) {
     Variable variable = system.outputs().get(output);
     double[] x = new double[LAST + 1];
-    double[] y = new double[LAST + 1];
     for (int i = 0; i <= LAST; i++) {
       x[i] = variable.low() + (variable.high() - variable.low()) * i / LAST;
-      for (Rule rule : system.rules()) {
-        int term = rule.consequents().get(output);
-        if (term != 0) {
-          double implied =
-              operator(system.methods().implication().name())
-                  .applyAsDouble(strength(rule), membership(variable, term, x[i]));
-          y[i] = operator(system.methods().aggregation().name()).applyAsDouble(y[i], implied);
-        }
+    }
+    List<double[]> sets =
+        system.rules().stream()
+            .filter(rule -> rule.consequents().get(output) != 0)
+            .map(rule -> implied(rule, variable, rule.consequents().get(output), x))
+            .toList();
+    double[] y = new double[LAST + 1];
+    for (double[] set : sets) {
+      for (int i = 0; i <= LAST; i++) {
+        y[i] = operator(system.methods().aggregation().name()).applyAsDouble(y[i], set[i]);
       }
     }
     double area = Arrays.stream(y).sum();
@@ -124,8 +125,16 @@ final class BruteForce {
       case CENTROID ->
           Answer.of(IntStream.rangeClosed(0, LAST).mapToDouble(i -> x[i] * y[i]).sum() / area);
       case BISECTOR -> new Answer(half(x, y, area * (1 - NEAR)), half(x, y, area * (1 + NEAR)));
-      default -> top(x, y, system.methods());
+      default -> top(x, y, sets, system.methods());
     };
+  }
+
+  private double[] implied(Rule rule, Variable variable, int term, double[] x) {
+    DoubleBinaryOperator implication = operator(system.methods().implication().name());
+    double strength = strength(rule);
+    return Arrays.stream(x)
+        .map(each -> implication.applyAsDouble(strength, membership(variable, term, each)))
+        .toArray();
   }
 
   private static double half(double[] x, double[] y, double area) {
@@ -139,14 +148,20 @@ final class BruteForce {
     return x[LAST];
   }
 
-  private static Answer top(double[] x, double[] y, Methods methods) {
+  private static Answer top(double[] x, double[] y, List<double[]> sets, Methods methods) {
     double top = Arrays.stream(y).max().orElseThrow();
+    double nearly = top * (1 - NEAR);
     double[] exact = places(x, y, top);
-    double[] near = places(x, y, top * (1 - NEAR));
+    double[] near = places(x, y, nearly);
     boolean isCutFlat =
         methods.aggregation() == Methods.Aggregation.MAX
             && methods.implication() == Methods.Implication.MIN;
-    if (near.length > exact.length || !isCutFlat) {
+    // Where two rules are equally strong, rounding may lift one of them above the other.
+    boolean isOneTop =
+        sets.stream()
+            .map(set -> places(x, set, nearly))
+            .allMatch(places -> places.length == 0 || Arrays.equals(places, near));
+    if (near.length > exact.length || !isCutFlat || !isOneTop) {
       return new Answer(near[0], near[near.length - 1]);
     }
     return Answer.of(

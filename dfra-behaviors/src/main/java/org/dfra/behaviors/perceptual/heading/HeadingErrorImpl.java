@@ -1,0 +1,74 @@
+package org.dfra.behaviors.perceptual.heading;
+
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.flow.perceptual.HeadingError;
+import org.dfra.flow.perceptual.HeadingPercept;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Leg;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.persona.PerceptualSchemaAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Tells how its robot stands to a line, by the robot's position estimator; see {@link
+ * LineGuidance}.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code lookahead}: metres, 0.5 to 50; default 2.2
+ *   <li>{@code position}: name of the estimator it listens to; where it is not set, the first
+ *   <li>{@code longest_age}: as every perceptual schema's; default 0.5
+ * </ul>
+ */
+public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>
+    implements HeadingError {
+
+  private final LineGuidance guidance;
+  private final String base;
+  private volatile @Nullable LocalFrame frame; // of the last pose
+
+  /** See {@link org.dfra.core.module.ModuleImpl}. */
+  public HeadingErrorImpl(ModuleContext context) {
+    super(
+        context,
+        "how the robot stands to the way it is to go",
+        "DFRA",
+        "1",
+        PoseEstimate.class,
+        "HeadingPercept",
+        0.5);
+    this.guidance = new LineGuidance(settings().number("lookahead", 2.2, 0.5, 50));
+    this.base = context.robot() + "/base_link";
+    takes(PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> keep(pose));
+  }
+
+  @Override
+  protected PerceptualSchemaAttributes qualities() {
+    return new PerceptualSchemaAttributes("HeadingPercept", null, "lookahead", null, null);
+  }
+
+  @Override
+  public HeadingPercept towards(Leg leg) {
+    PoseEstimate pose = percept();
+    LocalFrame local = frame(pose.datum());
+    LocalPosition from = local.toLocal(leg.from());
+    LocalPosition to = local.toLocal(leg.to());
+    HeadingPercept percept = guidance.towards(pose, from, to, base);
+    tell(percept);
+    return percept;
+  }
+
+  private LocalFrame frame(GeoPosition datum) {
+    @Nullable LocalFrame last = frame;
+    if (last == null || !last.datum().equals(datum)) {
+      last = new LocalFrame(datum);
+      frame = last;
+    }
+    return last;
+  }
+}

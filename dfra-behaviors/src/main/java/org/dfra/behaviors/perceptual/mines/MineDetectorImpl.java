@@ -1,0 +1,196 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.directory.ModuleListing;
+import org.dfra.flow.perceptual.MineDetector;
+import org.dfra.flow.perceptual.MinePercept;
+import org.dfra.flow.perceptual.MinePercept.Sighting;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.sensor.CameraImage;
+import org.dfra.flow.sensor.CameraImage.Band;
+import org.dfra.flow.sensor.CameraSensor;
+import org.dfra.geometry.Transform;
+import org.dfra.persona.PerceptualSchemaAttributes;
+import org.dfra.persona.PoseAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds mines on the ground by all cameras of its robot, in light and in heat, and where the robot
+ * is; see {@link Eye} and {@link Places}. A camera stands where its persona says, on the robot's
+ * base; one that stands on anything else, such as a head, is not used, and the log says so.
+ *
+ * <p>It looks when the robot has gone on by {@code look_spacing} or turned by 0.3 rad since its
+ * last look, by the next image of each band. It does not look while the yaw is not known to 0.15
+ * rad or the robot turns faster than 0.5 rad/s. Its percept has all that it has taken for mines
+ * since its start.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code fusion}: {@code bayes} or {@code dempster-shafer}; default bayes
+ *   <li>{@code prior}: probability of a mine at a place where no one has looked, above 0 and below
+ *       1; default 0.01
+ *   <li>{@code visible_true_positive}, {@code visible_false_positive}: probability of an alarm of
+ *       one look of a camera of light where there is a mine, and where there is none; with {@code
+ *       _after_alarm} and {@code _after_silence} behind it of one that looks again; the same with
+ *       {@code thermal}; all required
+ *   <li>{@code bayes_true_positive}, {@code bayes_false_positive}, {@code
+ *       dempster_shafer_true_positive}, {@code dempster_shafer_false_positive}: of both cameras
+ *       fused; shown in its persona only
+ *   <li>{@code mine_radius}, {@code mine_height}: metres; {@code mine_colour}: as {@code #3F4526}
+ *   <li>{@code near}, {@code far}: between which it looks, metres forward of the base; default 0.9
+ *       and 3.5
+ *   <li>{@code heat_contrast}: kelvin, default 1; {@code light_contrast}: natural logarithm,
+ *       default 0.18; {@code colour_tolerance}: default 0.03; see {@link EyeSettings}
+ *   <li>{@code look_spacing}: metres, 0.05 to 10, default 0.5; {@code gate}: metres, 0.05 to 5,
+ *       default 0.5
+ *   <li>{@code least_probability}: from which on something is told, 0 to 1; default 0.05
+ *   <li>{@code position}: name of the estimator that it listens to; where it is not set, the first
+ *   <li>{@code longest_age}: as every perceptual schema's; default 5
+ * </ul>
+ */
+public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
+    implements MineDetector {
+
+  private static final String EARTH = "earth";
+  private static final double MOST_YAW_SIGMA = 0.15; // radians
+  private static final double MOST_TURN_RATE = 0.5; // radians per second
+  private static final double TURN = 0.3; // radians
+
+  private final MineDetectorSettings told;
+  private final String base;
+  private final Object lock = new Object();
+  private final Places places; // guarded by lock
+  private final PoseTrail trail = new PoseTrail(); // guarded by lock
+  private final Pairing<View> pairing = new Pairing<>(); // guarded by lock
+  private final Map<String, Eye> eyes = new HashMap<>(); // by camera; guarded by lock
+  private final Set<String> unusable = new HashSet<>(); // cameras; guarded by lock
+  private final Map<Band, Integer> broken = new EnumMap<>(Band.class); // guarded by lock
+  private @Nullable Viewpoint lastLook; // guarded by lock
+  private List<Sighting> sightings = List.of(); // guarded by lock
+
+  /** Whose image it is, and where both stood. */
+  private record View(String camera, Transform mount, Viewpoint from) {}
+
+  /**
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  public MineDetectorImpl(ModuleContext context) {
+    super(
+        context,
+        "mines on the ground, by light and heat",
+        "DFRA",
+        "1",
+        MinePercept.class,
+        "MinePercept",
+        5);
+    this.told = MineDetectorSettings.of(settings());
+    this.places = new Places(told.fusion(), told.rates(), told.gate(), told.spacing());
+    this.base = context.robot() + "/base_link";
+    takes(PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> take(pose));
+    takesAll(CameraSensor.class, CameraImage.class, this::take);
+    declared().show("undecoded", "images that were not what they said, by band", this::undecoded);
+  }
+
+  private String undecoded() {
+    synchronized (lock) {
+      return broken.toString();
+    }
+  }
+
+  private void take(PoseEstimate pose) {
+    synchronized (lock) {
+      trail.add(pose);
+    }
+  }
+
+  private void take(ModuleListing<?> source, CameraImage image) {
+    synchronized (lock) {
+      Optional<Transform> mount = mount(source);
+      Optional<PoseEstimate> pose = trail.near(image.measured());
+      if (mount.isEmpty() || pose.isEmpty()) {
+        return;
+      }
+      Viewpoint from = trail.at(image.measured(), pose.get());
+      boolean isSteady =
+          pose.get().yawSigma() <= MOST_YAW_SIGMA
+              && Math.abs(pose.get().turnRate()) <= MOST_TURN_RATE;
+      List<Pairing.Taken<View>> complete =
+          isSteady && isElsewhere(from)
+              ? pairing.add(image, new View(source.path(), mount.get(), from))
+              : List.of();
+      if (complete.isEmpty()) {
+        keep(new MinePercept(image.measured(), EARTH, sightings));
+      } else {
+        lastLook = from;
+        look(complete, image.measured());
+      }
+    }
+  }
+
+  private boolean isElsewhere(Viewpoint from) {
+    Viewpoint last = lastLook;
+    return last == null || last.distance(from) >= told.spacing() || last.turn(from) >= TURN;
+  }
+
+  /** Where the camera stands on the base, by its persona; nothing if it does not. */
+  private Optional<Transform> mount(ModuleListing<?> source) {
+    Optional<PoseAttributes> pose = source.attributes(PoseAttributes.class);
+    if (pose.isEmpty() || !pose.get().parent().equals(base)) {
+      if (unusable.add(source.path())) {
+        log.warn(
+            "{}: {} is not used, since it stands on {} and not on {}; set its mount_frame",
+            identification().path(),
+            source.path(),
+            pose.map(PoseAttributes::parent).orElse("nothing that is known"),
+            base);
+      }
+      return Optional.empty();
+    }
+    return pose.map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()));
+  }
+
+  private void look(List<Pairing.Taken<View>> images, Instant measured) {
+    List<Look.View> views = new ArrayList<>();
+    for (Pairing.Taken<View> each : images) {
+      View with = each.with();
+      eyes.computeIfAbsent(with.camera(), unused -> new Eye(told.eye()))
+          .look(each.image(), with.mount())
+          .ifPresentOrElse(
+              glance -> views.add(new Look.View(with.from(), glance)),
+              () -> broken.merge(each.image().band(), 1, Integer::sum));
+    }
+    if (!views.isEmpty()) {
+      places.take(new Look(views));
+      sightings =
+          places.candidates(told.least()).stream()
+              .map(
+                  each ->
+                      new Sighting(trail.position(each.place()), each.probability(), each.looks()))
+              .toList();
+      perceive(new MinePercept(measured, EARTH, sightings));
+    }
+  }
+
+  @Override
+  protected PerceptualSchemaAttributes qualities() {
+    return new PerceptualSchemaAttributes(
+        "MinePercept", "probability", told.method(), told.truePositive(), told.falsePositive());
+  }
+
+  @Override
+  public MinePercept mines() {
+    return percept();
+  }
+}

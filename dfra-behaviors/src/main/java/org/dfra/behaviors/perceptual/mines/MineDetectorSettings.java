@@ -1,0 +1,128 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.dfra.core.config.Parameters;
+import org.dfra.flow.sensor.CameraImage.Band;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a mine detector is told, see {@link MineDetectorImpl}.
+ *
+ * @param method {@code bayes} or {@code dempster-shafer}
+ * @param fusion the same at work
+ * @param rates of the cameras, as measured
+ * @param truePositive of both cameras fused, as measured with that method; null where not told
+ * @param falsePositive likewise
+ * @param spacing from look to look, metres
+ * @param gate how far what belongs to one place may be apart, metres
+ * @param least probability from which on it is told
+ */
+record MineDetectorSettings(
+    EyeSettings eye,
+    String method,
+    Fusion fusion,
+    Map<Band, Repeated> rates,
+    @Nullable Double truePositive,
+    @Nullable Double falsePositive,
+    double spacing,
+    double gate,
+    double least) {
+
+  private static final String BAYES = "bayes";
+  private static final String DEMPSTER = "dempster-shafer";
+  private static final double RAREST = 1e-6;
+
+  static MineDetectorSettings of(Parameters told) {
+    EyeSettings usual = EyeSettings.DEFAULT;
+    EyeSettings eye =
+        new EyeSettings(
+            told.number("mine_radius", usual.radius(), 0.02, 1),
+            told.number("mine_height", usual.height(), 0, 1),
+            colour(told, usual.colour()),
+            told.number("near", usual.near(), 0, 50),
+            told.number("far", usual.far(), 0.5, 100),
+            told.number("heat_contrast", usual.leastHeat(), 0.05, 50),
+            told.number("light_contrast", usual.leastDark(), 0.01, 5),
+            told.number("colour_tolerance", usual.tolerance(), 0.001, 1));
+    if (eye.far() <= eye.near()) {
+      throw told.find("far").isPresent()
+          ? told.fault("far", "more than near, which is " + eye.near() + " m", null)
+          : told.fault("near", "less than far, which is " + eye.far() + " m", null);
+    }
+    double prior = told.number("prior", 0.01, RAREST, 1 - RAREST);
+    String method = told.find("fusion").orElse(BAYES).strip();
+    Fusion fusion =
+        switch (method) {
+          case BAYES -> new BayesFusion(prior);
+          case DEMPSTER -> new DempsterShaferFusion(prior);
+          default -> throw told.fault("fusion", BAYES + " or " + DEMPSTER, null);
+        };
+    Map<String, Shares> measured =
+        Map.of(BAYES, shares(told, BAYES), DEMPSTER, shares(told, DEMPSTER));
+    Shares fused = Objects.requireNonNull(measured.get(method));
+    return new MineDetectorSettings(
+        eye,
+        method,
+        fusion,
+        rates(told),
+        fused.truePositive(),
+        fused.falsePositive(),
+        told.number("look_spacing", 0.5, 0.05, 10),
+        told.number("gate", 0.5, 0.05, 5),
+        told.number("least_probability", 0.05, 0, 1));
+  }
+
+  private static int colour(Parameters told, int usual) {
+    Optional<String> text = told.find("mine_colour");
+    if (text.isEmpty()) {
+      return usual;
+    }
+    String hex = text.get().strip();
+    if (!hex.matches("#[0-9A-Fa-f]{6}") || hex.equals("#000000")) {
+      throw told.fault("mine_colour", "red, green and blue as #3F4526, not all 0", null);
+    }
+    return Integer.parseInt(hex.substring(1), 16);
+  }
+
+  private static Map<Band, Repeated> rates(Parameters told) {
+    Map<Band, Repeated> rates = new EnumMap<>(Band.class);
+    for (Band band : Band.values()) {
+      String name = band.name().toLowerCase(Locale.ROOT);
+      rates.put(
+          band,
+          new Repeated(
+              rates(told, name, ""),
+              rates(told, name, "_after_alarm"),
+              rates(told, name, "_after_silence")));
+    }
+    return rates;
+  }
+
+  /** There is no rate that would be right for all cameras, so there is none by default. */
+  private static DetectorRates rates(Parameters told, String band, String when) {
+    return new DetectorRates(
+        rate(told, band + "_true_positive" + when), rate(told, band + "_false_positive" + when), 1);
+  }
+
+  private static double rate(Parameters told, String name) {
+    told.text(name); // says so where it is not there
+    return told.number(name, Double.NaN, RAREST, 1 - RAREST);
+  }
+
+  /** How often a method of fusion was right and wrong; null where nobody has measured it. */
+  private record Shares(@Nullable Double truePositive, @Nullable Double falsePositive) {}
+
+  /** Of every method, chosen or not: so that what is written of the other is looked at too. */
+  private static Shares shares(Parameters told, String method) {
+    String name = method.replace('-', '_');
+    return new Shares(share(told, name + "_true_positive"), share(told, name + "_false_positive"));
+  }
+
+  private static @Nullable Double share(Parameters told, String name) {
+    return told.find(name).isEmpty() ? null : Double.valueOf(told.number(name, 0, 0, 1));
+  }
+}

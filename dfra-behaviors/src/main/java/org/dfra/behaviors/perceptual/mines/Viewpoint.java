@@ -1,0 +1,38 @@
+package org.dfra.behaviors.perceptual.mines;
+
+/**
+ * Where a robot stands.
+ *
+ * @param east metres
+ * @param north metres
+ * @param yaw radians, 0 is east, counter-clockwise is +
+ */
+public record Viewpoint(double east, double north, double yaw) {
+
+  /** From the robot's base, x forward, y left, to the map, x east, y north. */
+  public Spot toMap(Spot spot) {
+    double cos = Math.cos(yaw);
+    double sin = Math.sin(yaw);
+    return new Spot(
+        east + cos * spot.x() - sin * spot.y(), north + sin * spot.x() + cos * spot.y());
+  }
+
+  /** From the map to the robot's base. */
+  public Spot toBase(Spot spot) {
+    double cos = Math.cos(yaw);
+    double sin = Math.sin(yaw);
+    double dx = spot.x() - east;
+    double dy = spot.y() - north;
+    return new Spot(cos * dx + sin * dy, cos * dy - sin * dx);
+  }
+
+  /** Metres to another, turned or not. */
+  public double distance(Viewpoint other) {
+    return Math.hypot(east - other.east, north - other.north);
+  }
+
+  /** How far it is turned from another, radians, 0 to π. */
+  public double turn(Viewpoint other) {
+    return Math.abs(Math.IEEEremainder(yaw - other.yaw, 2 * Math.PI));
+  }
+}

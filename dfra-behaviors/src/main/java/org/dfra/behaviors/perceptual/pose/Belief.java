@@ -1,0 +1,264 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * An extended Kalman filter's belief: a state, its covariance and the time of both.
+ *
+ * <pre>
+ *   east, north   metres, of the robot's base
+ *   yaw           radians
+ *   turn          rate of the gyro at rest, radians per second: a random walk
+ *   scale         part by which the way is longer than the wheels say: a slow random walk
+ *   spin          part by which the turn is longer than the wheels say; without a gyro only
+ *   slow errors   metres east and north, for each receiver: Gauss-Markov processes
+ * </pre>
+ *
+ * <p>The slow error of a receiver not heard yet stays what it is before all: 0 with its own
+ * standard deviation, tied to nothing. Confined to one thread.
+ */
+final class Belief {
+
+  static final int EAST = 0;
+  static final int NORTH = 1;
+  static final int YAW = 2;
+  static final int TURN = 3;
+  static final int SCALE = 4;
+  static final int SPIN = 5;
+  static final int SLOW = 6;
+  static final int SIZE = SLOW + 2 * FixIntake.SOURCES;
+
+  /** What the scale changes by after a second, per root second. */
+  private static final double SCALE_DRIFT = 3e-4;
+
+  /** What the spin changes by after a second, per root second: the ground changes. */
+  private static final double SPIN_DRIFT = 3e-3;
+
+  /** Slow errors smaller than this are kept at it, metres: a covariance must be positive. */
+  private static final double LEAST = 1e-3;
+
+  final DMatrixRMaj state = new DMatrixRMaj(SIZE, 1);
+  final DMatrixRMaj covariance = new DMatrixRMaj(SIZE, SIZE);
+
+  private final TrackerSettings settings;
+  private final DMatrixRMaj transition = new DMatrixRMaj(SIZE, SIZE);
+  private final DMatrixRMaj product = new DMatrixRMaj(SIZE, SIZE);
+  private final Correction byRest = new Correction(SIZE, 1);
+  private final FixCorrection byFix;
+  private long time;
+  private double speed;
+  private double turnRate;
+
+  Belief(TrackerSettings settings) {
+    this.settings = settings;
+    this.byFix = new FixCorrection(settings);
+  }
+
+  /** Becomes the same as another. */
+  void set(Belief other) {
+    state.setTo(other.state);
+    covariance.setTo(other.covariance);
+    time = other.time;
+    speed = other.speed;
+    turnRate = other.turnRate;
+  }
+
+  long time() {
+    return time;
+  }
+
+  double get(int index) {
+    return state.get(index);
+  }
+
+  double variance(int index) {
+    return covariance.get(index, index);
+  }
+
+  /** To the left, radians per second, in the last step. */
+  double turnRate() {
+    return turnRate;
+  }
+
+  /** Begins at a pose: nothing is known of the rest but what is known before all. */
+  void begin(long at, double east, double north, double yaw) {
+    time = at;
+    speed = 0;
+    turnRate = 0;
+    state.zero();
+    covariance.zero();
+    state.set(EAST, east);
+    state.set(NORTH, north);
+    state.set(YAW, yaw);
+    know(TURN, 0, settings.gyro().bias());
+    know(SCALE, 0, settings.wheels().scale());
+    know(SPIN, 0, settings.wheels().turnScale());
+    for (int slot = 0; slot < FixIntake.SOURCES; slot++) {
+      forget(slot);
+    }
+  }
+
+  /** Sets one number of the state, tied to no other. */
+  void know(int index, double value, double sigma) {
+    for (int i = 0; i < SIZE; i++) {
+      covariance.set(index, i, 0);
+      covariance.set(i, index, 0);
+    }
+    state.set(index, value);
+    covariance.set(index, index, sigma * sigma);
+  }
+
+  /** Makes the slow error of a receiver what it is before all. */
+  void forget(int slot) {
+    know(SLOW + 2 * slot, 0, slowSigma());
+    know(SLOW + 2 * slot + 1, 0, slowSigma());
+  }
+
+  private double slowSigma() {
+    return Math.max(LEAST, settings.gps().bias());
+  }
+
+  /** Doubts the position by some metres and the yaw by some radians more. */
+  void doubt(double metres, double radians) {
+    covariance.add(EAST, EAST, metres * metres);
+    covariance.add(NORTH, NORTH, metres * metres);
+    covariance.add(YAW, YAW, radians * radians);
+  }
+
+  /** Moves by a step. */
+  void predict(Step step) {
+    double dt = step.seconds();
+    boolean rests = step.rests(get(TURN), Math.sqrt(variance(TURN)), settings.gyro().noise());
+    double turn = turn(step, dt, rests);
+    double middle = state.get(YAW) + turn / 2;
+    double cos = Math.cos(middle);
+    double sin = Math.sin(middle);
+    double way = step.way() * (1 + state.get(SCALE));
+    double keep = Math.exp(-dt / settings.gps().biasTime());
+    CommonOps_DDRM.setIdentity(transition);
+    transition.set(EAST, YAW, -way * sin);
+    transition.set(NORTH, YAW, way * cos);
+    transition.set(EAST, SCALE, step.way() * cos);
+    transition.set(NORTH, SCALE, step.way() * sin);
+    if (step.hasGyro() && !rests) {
+      transition.set(YAW, TURN, -dt);
+      transition.set(EAST, TURN, way * sin * dt / 2);
+      transition.set(NORTH, TURN, -way * cos * dt / 2);
+    }
+    if (!step.hasGyro()) {
+      double change = rests ? 0 : step.wheelTurn();
+      transition.set(YAW, SPIN, change);
+      transition.set(EAST, SPIN, -way * sin * change / 2);
+      transition.set(NORTH, SPIN, way * cos * change / 2);
+    }
+    for (int i = SLOW; i < SIZE; i++) {
+      transition.set(i, i, keep);
+      state.set(i, state.get(i) * keep);
+    }
+    state.add(EAST, 0, way * cos);
+    state.add(NORTH, 0, way * sin);
+    state.set(YAW, Math.IEEEremainder(state.get(YAW) + turn, 2 * Math.PI));
+    CommonOps_DDRM.mult(transition, covariance, product);
+    CommonOps_DDRM.multTransB(product, transition, covariance);
+    addNoise(step, dt, rests, turn, keep, cos, sin);
+    Correction.symmetrize(covariance);
+    time = step.time();
+    speed = dt > 0 ? way / dt : 0;
+    turnRate = dt > 0 ? turn / dt : 0;
+    if (rests && step.hasGyro() && dt > 0) {
+      learnTurn(step.gyroTurn() / dt, dt);
+    }
+  }
+
+  private double turn(Step step, double dt, boolean rests) {
+    if (rests) {
+      return 0;
+    }
+    return step.hasGyro()
+        ? step.gyroTurn() - state.get(TURN) * dt
+        : step.wheelTurn() * (1 + state.get(SPIN));
+  }
+
+  private void addNoise(
+      Step step, double dt, boolean rests, double turn, double keep, double cos, double sin) {
+    TrackerSettings.WheelErrors wheels = settings.wheels();
+    TrackerSettings.GyroErrors gyro = settings.gyro();
+    double lost = step.lostWay() * step.lostWay();
+    double along = wheels.along() * wheels.along() * Math.abs(step.way()) + lost;
+    double side = wheels.side() * wheels.side() * Math.abs(step.way()) + lost;
+    covariance.add(EAST, EAST, along * cos * cos + side * sin * sin);
+    covariance.add(NORTH, NORTH, along * sin * sin + side * cos * cos);
+    covariance.add(EAST, NORTH, (along - side) * sin * cos);
+    covariance.add(NORTH, EAST, (along - side) * sin * cos);
+    double angle = Math.abs(turn);
+    if (step.hasGyro()) {
+      double noise = rests ? 0 : gyro.noise() * gyro.noise() * dt;
+      covariance.add(YAW, YAW, noise + gyro.scale() * gyro.scale() * angle);
+    } else if (!rests) {
+      covariance.add(
+          YAW,
+          YAW,
+          wheels.turn() * wheels.turn() * angle
+              + wheels.turnDrift() * wheels.turnDrift() * dt
+              + step.lostTurn() * step.lostTurn());
+    }
+    covariance.add(TURN, TURN, gyro.drift() * gyro.drift() * dt);
+    covariance.add(SCALE, SCALE, SCALE_DRIFT * SCALE_DRIFT * dt);
+    if (!step.hasGyro()) {
+      covariance.add(SPIN, SPIN, SPIN_DRIFT * SPIN_DRIFT * dt);
+    }
+    double fresh = slowSigma() * slowSigma() * (1 - keep * keep);
+    for (int i = SLOW; i < SIZE; i++) {
+      covariance.add(i, i, fresh);
+    }
+  }
+
+  /** The robot stands, so what the gyro shows is its bias. */
+  private void learnTurn(double rate, double dt) {
+    double noise = settings.gyro().noise();
+    byRest.jacobian.zero();
+    byRest.jacobian.set(0, TURN, 1);
+    byRest.innovation.set(0, 0, rate - state.get(TURN));
+    byRest.noise.set(0, 0, noise * noise / dt);
+    byRest.apply(state, covariance, Double.POSITIVE_INFINITY);
+  }
+
+  /** Corrects by where a fix is; false if it was too unlikely. */
+  boolean correctPosition(LocalFix fix) {
+    return byFix.position(fix, state, covariance);
+  }
+
+  /** Whether the fix's course says anything of the yaw, as the last step went. */
+  boolean canUseCourse(LocalFix fix) {
+    return !Double.isNaN(fix.course())
+        && Math.abs(speed) > FixWindow.ROLLING
+        && Math.abs(turnRate) < FixWindow.STRAIGHT;
+  }
+
+  /** Corrects by the direction in which a fix travels; false if it was too unlikely. */
+  boolean correctCourse(LocalFix fix) {
+    return byFix.course(fix, fix.ahead(speed, turnRate), state, covariance);
+  }
+
+  /** Standard deviation of the position along its worst direction, metres. */
+  double positionSigma() {
+    double mean = (variance(EAST) + variance(NORTH)) / 2;
+    double half = (variance(EAST) - variance(NORTH)) / 2;
+    return Math.sqrt(Math.max(0, mean + Math.hypot(half, covariance.get(EAST, NORTH))));
+  }
+
+  double yawSigma() {
+    return Math.sqrt(Math.max(0, variance(YAW)));
+  }
+
+  /** Whether all numbers are finite and all variances positive. */
+  boolean isSound() {
+    for (int i = 0; i < SIZE; i++) {
+      if (!Double.isFinite(state.get(i)) || !(variance(i) > 0)) {
+        return false;
+      }
+    }
+    return Double.isFinite(CommonOps_DDRM.elementSum(covariance));
+  }
+}

@@ -1,0 +1,279 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.sensor.AngularRate;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Transform;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An extended Kalman filter of pose, gyro bias, wheel scale and the slow error of each receiver;
+ * see {@link Belief}. Late fixes count at their own time; see {@link Replay}.
+ *
+ * <p>A filter that is linear about its belief must know its yaw roughly. So it begins only when the
+ * way has shown the yaw, and until then answers as {@link HistoryTracker} does. It goes back to
+ * this when it must be wrong.
+ *
+ * <pre>
+ *                  yaw certain enough
+ *   ALIGNING ------------------------------&gt; TRACKING --. all fixes disbelieved for long:
+ *      ^                                        |  ^    | the position is doubted, once
+ *      `----------------------------------------'  `----'
+ *        all fixes disbelieved again, courses disbelieved
+ *        for long, yaw lost, or numbers no longer sound
+ * </pre>
+ *
+ * <p>Confined to one thread.
+ */
+public final class KalmanTracker implements PoseTracker {
+
+  /** So many fixes in a row, at least, are needed to doubt the belief. */
+  private static final int ENOUGH = 5;
+
+  /** A doubt that comes so many times {@code lostAfter} after the last is no first one. */
+  private static final int DOUBT_LASTS = 4;
+
+  private static final double DOUBTED_YAW = 0.2; // radians
+  private static final double LOST_YAW = 1; // radians
+
+  private static final int MOST_WAITING = 16;
+
+  /**
+   * What is known of the first yaw.
+   *
+   * @param yaw radians, 0 is east, counter-clockwise is +
+   * @param sigma its standard deviation, radians, above 0
+   */
+  public record KnownYaw(double yaw, double sigma) {
+
+    public KnownYaw {
+      if (!Double.isFinite(yaw) || !(sigma > 0 && sigma < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            "a yaw of " + yaw + " ± " + sigma + " rad is none; give a finite one");
+      }
+    }
+  }
+
+  private final TrackerSettings settings;
+  private final FixIntake intake;
+  private final Poses poses;
+  private final Reckoning reckoning;
+  private final Replay replay;
+  private final Belief ahead;
+  private final List<LocalFix> waiting = new ArrayList<>();
+  private final Distrust positions;
+  private final Distrust courses;
+  private @Nullable KnownYaw known;
+  private boolean isTracking;
+  private long used;
+  private boolean hasDoubted;
+  private long doubted;
+
+  /**
+   * @param frame name of the frame of its estimates
+   * @param datum origin of that frame; null for the position of the first fix
+   * @param known what is known of the yaw before it moves; null for nothing
+   */
+  public KalmanTracker(
+      TrackerSettings settings,
+      String frame,
+      @Nullable GeoPosition datum,
+      @Nullable KnownYaw known) {
+    this.settings = settings;
+    this.intake = new FixIntake(settings.gps(), datum);
+    this.poses = new Poses(frame, intake);
+    this.reckoning = new Reckoning(settings);
+    this.replay = new Replay(settings);
+    this.ahead = new Belief(settings);
+    this.positions = new Distrust(ENOUGH, settings.lostAfter().toNanos());
+    this.courses = new Distrust(ENOUGH, settings.lostAfter().toNanos());
+    this.known = known;
+  }
+
+  @Override
+  public void take(AngularRate rate) {
+    reckoning.take(rate);
+  }
+
+  @Override
+  public void take(Odometry odometry) {
+    follow(reckoning.take(odometry));
+  }
+
+  @Override
+  public void take(GpsFix fix, String source, Transform antenna, Instant received) {
+    LocalFix local = intake.take(fix, source, antenna, received);
+    if (local == null) {
+      return;
+    }
+    follow(reckoning.catchUp(local.time()));
+    if (local.isNewSource()) {
+      reckoning.window().clear();
+      if (isTracking) {
+        replay.head().forget(local.slot());
+        replay.rebase();
+      }
+    }
+    reckoning.add(local);
+    if (!isTracking) {
+      used = local.time();
+      align();
+    } else if (local.time() > replay.head().time()) {
+      if (waiting.size() < MOST_WAITING) {
+        waiting.add(local);
+      }
+    } else {
+      correct(local);
+    }
+  }
+
+  private void follow(@Nullable Step step) {
+    if (step == null) {
+      return;
+    }
+    if (!isTracking) {
+      align();
+      return;
+    }
+    replay.add(step);
+    if (step.isBreach()) {
+      waiting.clear();
+      positions.clear();
+      courses.clear();
+      used = step.time();
+    }
+    for (LocalFix fix : List.copyOf(waiting)) {
+      if (isTracking && fix.time() <= replay.head().time()) {
+        waiting.remove(fix);
+        correct(fix);
+      }
+    }
+    if (isTracking && (replay.head().yawSigma() > LOST_YAW || !replay.head().isSound())) {
+      realign(step.time());
+    }
+  }
+
+  private void correct(LocalFix fix) {
+    switch (replay.add(fix)) {
+      case USED -> {
+        used = Math.max(used, fix.time());
+        positions.clear();
+        if (replay.head().canUseCourse(fix)) {
+          courses.clear();
+        }
+      }
+      case DISBELIEVED -> {
+        if (positions.add(fix.time())) {
+          doubt(fix);
+        }
+      }
+      case COURSE_DISBELIEVED -> {
+        used = Math.max(used, fix.time());
+        positions.clear();
+        if (courses.add(fix.time())) {
+          realign(courses.since());
+        }
+      }
+      case TOO_LATE -> {}
+    }
+  }
+
+  /** All fixes have been disbelieved for long: the position is wrong, or more than that. */
+  private void doubt(LocalFix fix) {
+    long lasts = DOUBT_LASTS * settings.lostAfter().toNanos();
+    if (hasDoubted && Math.abs(fix.time() - doubted) < lasts) {
+      realign(positions.since());
+      return;
+    }
+    hasDoubted = true;
+    doubted = fix.time();
+    Belief head = replay.head();
+    double off =
+        Math.hypot(fix.east() - head.get(Belief.EAST), fix.north() - head.get(Belief.NORTH));
+    head.doubt(off, DOUBTED_YAW);
+    replay.rebase();
+    positions.clear();
+  }
+
+  /** Begins anew with what happened since a time; only what was learnt of the sensors is kept. */
+  private void realign(long since) {
+    isTracking = false;
+    waiting.clear();
+    positions.clear();
+    courses.clear();
+    hasDoubted = false;
+    reckoning.window().clearBefore(since);
+    align();
+  }
+
+  /** Begins to track if the yaw is certain enough. */
+  private void align() {
+    Optional<Alignment> found = reckoning.align().map(this::withKnown);
+    if (found.isEmpty() || !(found.get().yawSigma() < settings.startYawSigma())) {
+      return;
+    }
+    Belief head = replay.head();
+    FirstBelief.begin(head, found.get(), reckoning, settings);
+    replay.rebase();
+    isTracking = head.isSound();
+    known = null;
+  }
+
+  /** The alignment with the yaw that was known before, if that has not been used. */
+  private Alignment withKnown(Alignment found) {
+    KnownYaw before = known;
+    if (before == null) {
+      return found;
+    }
+    // The track begins with yaw 0, so its angle to the map is the robot's first yaw.
+    return found.with(before.yaw(), 1 / (before.sigma() * before.sigma()));
+  }
+
+  @Override
+  public Optional<PoseEstimate> estimate(Instant now) {
+    long time = Math.max(Ticks.of(now), reckoning.steps().time());
+    double speed = reckoning.steps().speed();
+    if (!isTracking) {
+      Track.Pose pose = reckoning.ahead(time);
+      return reckoning
+          .align()
+          .map(this::withKnown)
+          .flatMap(
+              found ->
+                  poses.estimate(
+                      time,
+                      HistoryTracker.found(found, pose, settings),
+                      speed,
+                      reckoning.turnRate(),
+                      used));
+    }
+    Belief head = replay.head();
+    double rate = reckoning.steps().gyroRate();
+    ahead.set(head);
+    if (time > head.time()) {
+      ahead.predict(reckoning.steps().ahead(time));
+    }
+    return poses.estimate(
+        time,
+        new Poses.Found(
+            ahead.get(Belief.EAST),
+            ahead.get(Belief.NORTH),
+            ahead.get(Belief.YAW),
+            ahead.positionSigma(),
+            ahead.yawSigma()),
+        speed * (1 + head.get(Belief.SCALE)),
+        Double.isNaN(rate) ? reckoning.steps().wheelRate() : rate - head.get(Belief.TURN),
+        used);
+  }
+
+  /** The newest belief, for tests; empty while it aligns. */
+  Optional<Belief> belief() {
+    return isTracking ? Optional.of(replay.head()) : Optional.empty();
+  }
+}

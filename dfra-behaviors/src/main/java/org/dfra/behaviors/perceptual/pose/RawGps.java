@@ -1,0 +1,79 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import java.time.Instant;
+import java.util.Optional;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.sensor.AngularRate;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Transform;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The last fix of any receiver, as it is; for comparison. The yaw is that of the last course, as if
+ * the robot never went backwards; the lever arm is taken off by it. Confined to one thread.
+ */
+public final class RawGps implements PoseTracker {
+
+  private final TrackerSettings settings;
+  private final FixIntake intake;
+  private final Poses poses;
+  private @Nullable LocalFix last;
+  private double yaw;
+  private double yawSigma = FixWindow.UNKNOWN_YAW;
+
+  /**
+   * @param frame name of the frame of its estimates
+   * @param datum origin of that frame; null for the position of the first fix
+   */
+  public RawGps(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
+    this.settings = settings;
+    this.intake = new FixIntake(settings.gps(), datum);
+    this.poses = new Poses(frame, intake);
+  }
+
+  @Override
+  public void take(Odometry odometry) {}
+
+  @Override
+  public void take(AngularRate rate) {}
+
+  @Override
+  public void take(GpsFix fix, String source, Transform antenna, Instant received) {
+    LocalFix local = intake.take(fix, source, antenna, received);
+    if (local == null) {
+      return;
+    }
+    if (last == null
+        || local.time() >= last.time()
+        || last.time() - local.time() > Continuity.NEAR) {
+      last = local;
+      if (!Double.isNaN(local.course())) {
+        yaw = local.course();
+        yawSigma = settings.gps().courseSigma(local.speed());
+      }
+    }
+  }
+
+  @Override
+  public Optional<PoseEstimate> estimate(Instant now) {
+    LocalFix fix = last;
+    if (fix == null) {
+      return Optional.empty();
+    }
+    double cos = Math.cos(yaw);
+    double sin = Math.sin(yaw);
+    boolean knowsYaw = yawSigma < 1;
+    double forward = knowsYaw ? fix.forward() : 0;
+    double left = knowsYaw ? fix.left() : 0;
+    Poses.Found found =
+        new Poses.Found(
+            fix.east() - cos * forward + sin * left,
+            fix.north() - sin * forward - cos * left,
+            yaw,
+            Math.hypot(fix.sigma(), settings.gps().bias()),
+            yawSigma);
+    return poses.estimate(Math.max(Ticks.of(now), fix.time()), found, fix.speed(), 0, fix.time());
+  }
+}

@@ -1,0 +1,42 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+
+/** The ways to follow a pose. */
+public enum TrackerKind {
+  /** An extended Kalman filter: {@link KalmanTracker}. */
+  KALMAN,
+  /** The last fixes against dead reckoning: {@link HistoryTracker}. */
+  HISTORY,
+  /** The last fix as it is: {@link RawGps}. */
+  RAW;
+
+  /**
+   * A new tracker of this kind.
+   *
+   * @param frame name of the frame of its estimates, e.g. {@code atrv1/map}
+   * @param datum origin of that frame; null for the position of the first fix
+   */
+  public PoseTracker create(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
+    return create(settings, frame, datum, null);
+  }
+
+  /**
+   * The same.
+   *
+   * @param known what is known of the yaw before it moves, which only {@link #KALMAN} heeds; null
+   *     for nothing
+   */
+  public PoseTracker create(
+      TrackerSettings settings,
+      String frame,
+      @Nullable GeoPosition datum,
+      KalmanTracker.@Nullable KnownYaw known) {
+    return switch (this) {
+      case KALMAN -> new KalmanTracker(settings, frame, datum, known);
+      case HISTORY -> new HistoryTracker(settings, frame, datum);
+      case RAW -> new RawGps(settings, frame, datum);
+    };
+  }
+}

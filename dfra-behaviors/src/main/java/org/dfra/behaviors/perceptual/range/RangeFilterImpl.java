@@ -1,0 +1,127 @@
+package org.dfra.behaviors.perceptual.range;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.directory.ModuleListing;
+import org.dfra.flow.perceptual.Clearance;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.flow.sensor.OdometrySensor;
+import org.dfra.flow.sensor.RangeScan;
+import org.dfra.flow.sensor.RangeSensor;
+import org.dfra.geometry.Transform;
+import org.dfra.persona.PerceptualSchemaAttributes;
+import org.dfra.persona.PoseAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Tells the room around its robot from the robot's range sensor; see {@link GhostFilter}, {@link
+ * Surrounds} and {@link Passed}. The sensor stands where its persona says, on the robot's base.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code scans}: that the median is of, 1 to 15; default 5; 1 filters nothing
+ *   <li>{@code scan_spacing}: seconds from one of them to the next at least, 0 to 1; default 0.09
+ *   <li>{@code memory}: seconds that it remembers what it has passed and does not see any more, 0
+ *       to 120; default 3
+ *   <li>{@code reach}: metres, what is farther does not count, 1 to 100; default 8
+ *   <li>{@code body_length}, {@code body_width}: of the robot, metres, 0.1 to 10; default those of
+ *       an ATRV-Jr
+ *   <li>{@code range_sensor}, {@code odometry}: names of the modules it listens to; where one is
+ *       not set, the first that can do it
+ *   <li>{@code longest_age}: as every perceptual schema's; default 0.5
+ * </ul>
+ */
+public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> implements RangeFilter {
+
+  private static final double LENGTH = 0.78;
+  private static final double WIDTH = 0.64;
+
+  private final Surrounds surrounds;
+  private final GhostFilter filter; // guarded by itself
+  private final Passed passed; // guarded by filter
+  private @Nullable Odometry odometry; // guarded by filter
+  private final String base;
+
+  /** See {@link org.dfra.core.module.ModuleImpl}. */
+  public RangeFilterImpl(ModuleContext context) {
+    super(
+        context,
+        "the room around the robot, by its range sensor, without ghosts",
+        "DFRA",
+        "1",
+        Clearance.class,
+        "Clearance",
+        0.5);
+    int scans = (int) settings().number("scans", 5, 1, 15);
+    double spacing = settings().number("scan_spacing", 0.09, 0, 1);
+    this.filter = new GhostFilter(scans, Duration.ofNanos(Math.round(spacing * 1e9)));
+    this.passed =
+        new Passed(
+            settings()
+                .seconds("memory", Duration.ofSeconds(3), Duration.ZERO, Duration.ofMinutes(2)));
+    this.surrounds =
+        new Surrounds(
+            settings().number("body_length", LENGTH, 0.1, 10) / 2,
+            settings().number("body_width", WIDTH, 0.1, 10) / 2,
+            settings().number("reach", 8, 1, 100));
+    this.base = context.robot() + "/base_link";
+    takes(OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
+    takes(RangeSensor.class, "range_sensor", RangeScan.class, this::take);
+  }
+
+  private void take(Odometry reading) {
+    synchronized (filter) {
+      if (filter.take(reading)) {
+        passed.clear();
+      }
+      odometry = reading;
+    }
+  }
+
+  private void take(ModuleListing<?> source, RangeScan scan) {
+    Transform mount = mount(source);
+    Clearance clearance;
+    synchronized (filter) {
+      Optional<float[]> ranges = filter.take(scan);
+      if (ranges.isEmpty() || !Surrounds.suffices(ranges.get())) {
+        return;
+      }
+      clearance =
+          surrounds.clearance(scan, ranges.get(), mount, beside(scan, ranges.get(), mount), base);
+    }
+    perceive(clearance);
+  }
+
+  /** What the robot has passed; holds the filter's lock. */
+  private Surrounds.Beside beside(RangeScan scan, float[] ranges, Transform mount) {
+    Surrounds.Beside beside = surrounds.new Beside();
+    @Nullable Odometry at = odometry;
+    if (at != null) {
+      passed.take(scan, ranges, mount, at);
+      passed.tell(at, beside);
+    }
+    return beside;
+  }
+
+  /** Where the sensor stands by its persona; at the front of the body where that does not say. */
+  private Transform mount(ModuleListing<?> source) {
+    return source
+        .attributes(PoseAttributes.class)
+        .map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()))
+        .orElseGet(() -> Transform.shift(surrounds.halfLength(), 0, 0));
+  }
+
+  @Override
+  protected PerceptualSchemaAttributes qualities() {
+    return new PerceptualSchemaAttributes("Clearance", null, "median", null, null);
+  }
+
+  @Override
+  public Clearance clearance() {
+    return percept();
+  }
+}

@@ -1,0 +1,129 @@
+package org.dfra.behaviors.perceptual.team;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.perceptual.TeamMate;
+import org.dfra.flow.perceptual.TeamPositions;
+import org.dfra.flow.perceptual.TeamTracker;
+import org.dfra.module.Incident;
+import org.dfra.persona.PerceptualSchemaAttributes;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Listens to the position estimators of all robots of the team, its own among them. Poses are
+ * compared at the same instant, by the offset of both clocks to the time of satellites; where a
+ * robot has heard no satellite, its distance is unknown. When another robot falls silent, and when
+ * it is heard again, that enters the history and the log, with what was missed.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code estimator}: name of the position estimator, the same on all robots; default {@code
+ *       position}
+ *   <li>{@code rate}: how often it tells what it knows, hertz, 0.1 to 10; default 5
+ *   <li>{@code silence}: seconds without a pose after which a robot is out of reach, 0.5 to 600;
+ *       default 3
+ *   <li>{@code longest_age}: as every perceptual schema's; default 1
+ * </ul>
+ */
+public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
+    implements TeamTracker {
+
+  private final String robot;
+  private final Scheduler time;
+  private final long silence; // nanoseconds
+  private final Duration interval;
+  private final OwnTrail own = new OwnTrail(); // guarded by itself, as what follows
+  private final Map<String, MateTrail> mates = new TreeMap<>();
+  private @Nullable Instant told;
+
+  /** See {@link org.dfra.core.module.ModuleImpl}. */
+  public TeamTrackerImpl(ModuleContext context) {
+    super(
+        context,
+        "where the other robots are, and for how long they could not be heard",
+        "DFRA",
+        "1",
+        TeamPositions.class,
+        "TeamPositions",
+        1);
+    this.robot = context.robot();
+    this.time = context.robotTime();
+    this.silence = Math.round(settings().number("silence", 3, 0.5, 600) * 1e9);
+    this.interval = Duration.ofNanos(Math.round(1e9 / settings().number("rate", 5, 0.1, 10)));
+    takesAllOfTeam(
+        ModuleQuery.of(PositionEstimator.class)
+            .name(settings().find("estimator").orElse("position")),
+        PoseEstimate.class,
+        this::take);
+  }
+
+  private void take(ModuleListing<?> source, long sequence, PoseEstimate pose) {
+    if (source.robot().equals(robot)) {
+      takeOwn(pose);
+      return;
+    }
+    Optional<String> news;
+    synchronized (own) {
+      news =
+          mates
+              .computeIfAbsent(source.robot(), MateTrail::new)
+              .take(pose, sequence, clock().instant(), time.nanos(), silence);
+    }
+    news.ifPresent(this::report);
+  }
+
+  private void takeOwn(PoseEstimate pose) {
+    List<String> news = new ArrayList<>();
+    TeamPositions fresh;
+    boolean isDue;
+    synchronized (own) {
+      own.add(pose);
+      List<TeamMate> all = new ArrayList<>();
+      for (MateTrail each : mates.values()) {
+        each.look(time.nanos(), silence).ifPresent(news::add);
+        all.add(each.seenFrom(own));
+      }
+      fresh = new TeamPositions(pose.measured(), pose.frame(), all);
+      isDue =
+          told == null || Duration.between(told, pose.measured()).abs().compareTo(interval) >= 0;
+      if (isDue) {
+        told = pose.measured();
+      }
+    }
+    news.forEach(this::report);
+    if (isDue) {
+      perceive(fresh);
+    } else {
+      keep(fresh);
+    }
+  }
+
+  private void report(String news) {
+    log.warn("{}: {}", path(), news);
+    note(Incident.Kind.GAP, news);
+  }
+
+  @Override
+  protected PerceptualSchemaAttributes qualities() {
+    return new PerceptualSchemaAttributes(
+        "TeamPositions", "standard deviation", "same instant", null, null);
+  }
+
+  @Override
+  public TeamPositions team() {
+    return percept();
+  }
+}

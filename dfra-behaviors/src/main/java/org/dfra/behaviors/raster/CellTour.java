@@ -1,0 +1,161 @@
+package org.dfra.behaviors.raster;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * In which order cells are driven, and each from which corner: such that the ways between them are
+ * short. The first is the south-westernmost. For an order the best corners are found exactly, stage
+ * by stage; orders are tried by turning parts of them round and by moving cells, until nothing
+ * shortens it. Always the same for the same cells.
+ */
+final class CellTour {
+
+  /** A longer part of a tour than this is neither turned nor moved across. */
+  private static final int REACH = 24;
+
+  private static final double GAIN = 1e-6; // metres
+
+  private final List<Cell> cells;
+  private final Interior interior;
+  private final double[][] between; // from the exit of a cell's way to the entry of another's
+
+  CellTour(List<Cell> cells, Interior interior) {
+    this.cells = cells;
+    this.interior = interior;
+    this.between = new double[cells.size() * Cell.WAYS][];
+  }
+
+  /** The lanes of all cells in the order and direction in which they are driven. */
+  List<Stroke> strokes() {
+    List<Integer> order = nearestFirst();
+    double length = length(order);
+    boolean isShorter = true;
+    while (isShorter) {
+      isShorter = false;
+      for (int from = 1; from < order.size(); from++) {
+        for (int to = from + 1; to < Math.min(order.size(), from + REACH); to++) {
+          for (int change = 0; change < 3; change++) {
+            List<Integer> tried = changed(order, from, to, change);
+            double triedLength = length(tried);
+            if (triedLength < length - GAIN) {
+              order = tried;
+              length = triedLength;
+              isShorter = true;
+            }
+          }
+        }
+      }
+    }
+    List<Stroke> strokes = new ArrayList<>();
+    int[] ways = ways(order);
+    for (int i = 0; i < ways.length; i++) {
+      strokes.addAll(cells.get(order.get(i)).driven(ways[i]));
+    }
+    return strokes;
+  }
+
+  private static List<Integer> changed(List<Integer> order, int from, int to, int change) {
+    List<Integer> changed = new ArrayList<>(order);
+    List<Integer> part = changed.subList(from, to + 1);
+    switch (change) {
+      case 0 -> Collections.reverse(part);
+      case 1 -> Collections.rotate(part, 1);
+      default -> Collections.rotate(part, -1);
+    }
+    return changed;
+  }
+
+  private List<Integer> nearestFirst() {
+    List<Integer> left = new ArrayList<>();
+    for (int i = 0; i < cells.size(); i++) {
+      left.add(i);
+    }
+    List<Integer> order = new ArrayList<>(List.of(left.remove(0)));
+    while (!left.isEmpty()) {
+      int last = order.get(order.size() - 1);
+      int nearest = 0;
+      double least = Double.POSITIVE_INFINITY;
+      for (int i = 0; i < left.size(); i++) {
+        double distance = nearest(last, left.get(i));
+        if (distance < least) {
+          least = distance;
+          nearest = i;
+        }
+      }
+      order.add(left.remove(nearest));
+    }
+    return order;
+  }
+
+  private double nearest(int cell, int other) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int way = 0; way < Cell.WAYS; way++) {
+      for (int then = 0; then < Cell.WAYS; then++) {
+        least = Math.min(least, between(cell, way, other, then));
+      }
+    }
+    return least;
+  }
+
+  private double length(List<Integer> order) {
+    return Arrays.stream(lengths(order)[order.size() - 1]).min().orElseThrow();
+  }
+
+  /** The length of the ways up to each stage, for each way to drive the cell of that stage. */
+  private double[][] lengths(List<Integer> order) {
+    double[][] lengths = new double[order.size()][Cell.WAYS];
+    // it begins in the west, and northward if that makes no difference
+    lengths[0] = new double[] {0, Double.POSITIVE_INFINITY, GAIN, Double.POSITIVE_INFINITY};
+    for (int i = 1; i < lengths.length; i++) {
+      for (int way = 0; way < Cell.WAYS; way++) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int before = 0; before < Cell.WAYS; before++) {
+          double step = between(order.get(i - 1), before, order.get(i), way);
+          least = Math.min(least, lengths[i - 1][before] + step);
+        }
+        lengths[i][way] = least;
+      }
+    }
+    return lengths;
+  }
+
+  private int[] ways(List<Integer> order) {
+    double[][] lengths = lengths(order);
+    int[] ways = new int[order.size()];
+    int last = ways.length - 1;
+    ways[last] = least(lengths[last]);
+    for (int i = last; i > 0; i--) {
+      double[] before = lengths[i - 1].clone();
+      for (int way = 0; way < Cell.WAYS; way++) {
+        before[way] += between(order.get(i - 1), way, order.get(i), ways[i]);
+      }
+      ways[i - 1] = least(before);
+    }
+    return ways;
+  }
+
+  private static int least(double[] values) {
+    int least = 0;
+    for (int i = 1; i < values.length; i++) {
+      least = values[i] < values[least] ? i : least;
+    }
+    return least;
+  }
+
+  private double between(int cell, int way, int other, int then) {
+    int row = cell * Cell.WAYS + way;
+    if (between[row] == null) {
+      between[row] = new double[between.length];
+      Arrays.fill(between[row], Double.NaN);
+    }
+    int column = other * Cell.WAYS + then;
+    if (Double.isNaN(between[row][column])) {
+      between[row][column] =
+          interior.distance(cells.get(cell).exit(way), cells.get(other).entry(then));
+    }
+    return between[row][column];
+  }
+}

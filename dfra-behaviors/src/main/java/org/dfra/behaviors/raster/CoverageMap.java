@@ -1,0 +1,71 @@
+package org.dfra.behaviors.raster;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How often each part of a region was seen: squares in rows from south to north, in each row from
+ * west to east.
+ *
+ * @param west side of the westernmost squares, in the region's frame, metres
+ * @param south side of the southernmost squares, likewise
+ * @param cell side of a square, metres
+ * @param passes over the middle of each square: 0, 1, or 2 for more; {@link #OUTSIDE} where that is
+ *     not in the region
+ */
+public record CoverageMap(double west, double south, double cell, List<List<Integer>> passes) {
+
+  /** Instead of a number of passes. */
+  public static final int OUTSIDE = -1;
+
+  public CoverageMap {
+    passes = passes.stream().map(List::copyOf).toList();
+  }
+
+  /**
+   * What was seen on this way or on another one over the same region.
+   *
+   * @param other of the same region and swath
+   */
+  public CoverageMap and(CoverageMap other) {
+    if (passes.size() != other.passes.size()
+        || passes.get(0).size() != other.passes.get(0).size()
+        || cell != other.cell) {
+      throw new IllegalArgumentException("these maps are not of one region and one swath");
+    }
+    List<List<Integer>> both = new ArrayList<>();
+    for (int row = 0; row < passes.size(); row++) {
+      List<Integer> cells = new ArrayList<>();
+      for (int column = 0; column < passes.get(row).size(); column++) {
+        int here = passes.get(row).get(column);
+        cells.add(
+            here == OUTSIDE ? OUTSIDE : Math.min(2, here + other.passes.get(row).get(column)));
+      }
+      both.add(cells);
+    }
+    return new CoverageMap(west, south, cell, both);
+  }
+
+  /** Share of the region's squares that were seen, 0 to 1. */
+  public double share() {
+    long inside = 0;
+    long seen = 0;
+    for (List<Integer> row : passes) {
+      for (int each : row) {
+        inside += each == OUTSIDE ? 0 : 1;
+        seen += each > 0 ? 1 : 0;
+      }
+    }
+    return inside == 0 ? 0 : (double) seen / inside;
+  }
+
+  /** Side of the easternmost squares, in the region's frame, metres. */
+  public double east() {
+    return west + cell * passes.get(0).size();
+  }
+
+  /** Side of the northernmost squares, likewise. */
+  public double north() {
+    return south + cell * passes.size();
+  }
+}

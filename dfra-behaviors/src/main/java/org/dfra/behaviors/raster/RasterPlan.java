@@ -1,0 +1,191 @@
+package org.dfra.behaviors.raster;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Leg;
+import org.dfra.geometry.LocalPosition;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Polygon;
+
+/**
+ * How a region is searched: parallel lanes at even distances, driven to and fro, one after the
+ * other, with short lanes along the outline where it slants.
+ *
+ * <p>What is guaranteed, in the plane of the region's frame: every point of the region lies within
+ * half a swath of a lane, to a micrometre; lanes and the ways between them lie inside the region,
+ * to a micrometre; the reversed plan has the same waypoints backwards. A spacing greater than the
+ * region is wide gives one lane along its middle. Immutable.
+ */
+public final class RasterPlan {
+
+  /** Lanes run from south to north and back, and the first one is in the west. */
+  public static final double NORTHWARD = 0;
+
+  private final Region region;
+  private final double swath;
+  private final double spacing;
+  private final List<LocalPosition> path;
+  private final List<GeoPosition> waypoints;
+  private final List<Lane> lanes;
+
+  private RasterPlan(
+      Region region,
+      double swath,
+      double spacing,
+      List<LocalPosition> path,
+      List<GeoPosition> waypoints,
+      List<Integer> laneStarts) {
+    this.region = region;
+    this.swath = swath;
+    this.spacing = spacing;
+    this.path = List.copyOf(path);
+    this.waypoints = List.copyOf(waypoints);
+    this.lanes = laneStarts.stream().map(this::lane).toList();
+  }
+
+  private Lane lane(int start) {
+    return new Lane(
+        path.get(start),
+        path.get(start + 1),
+        new Leg(waypoints.get(start), waypoints.get(start + 1)),
+        start);
+  }
+
+  /**
+   * Plans what a goal asks for, with lanes to the north and back.
+   *
+   * @throws org.dfra.behavior.GoalRefusedException if its region is none, or needs too many lanes
+   */
+  public static RasterPlan of(RasterGoal goal) {
+    RasterPlan plan = of(Region.of(goal.region()), goal.swath(), goal.spacing(), NORTHWARD);
+    return goal.reversed() ? plan.reversed() : plan;
+  }
+
+  /**
+   * Plans lanes over a region.
+   *
+   * @param swath how wide a strip the robot sees on its way, metres, above 0
+   * @param spacing from one lane to the next at most, metres, above 0 and at most the swath
+   * @param laneBearing where the first lane leads, radians, clockwise from north; the lanes follow
+   *     each other to its right
+   * @throws org.dfra.behavior.GoalRefusedException if there would be too many lanes
+   */
+  public static RasterPlan of(Region region, double swath, double spacing, double laneBearing) {
+    if (!(spacing > 0 && spacing <= swath && Double.isFinite(swath + laneBearing))) {
+      throw new IllegalArgumentException(
+          "lanes " + spacing + " m apart do not cover with a swath of " + swath + " m");
+    }
+    LaneAxes axes = new LaneAxes(laneBearing);
+    Polygon polygon = axes.of(region.polygon());
+    LaneLines lines = new LaneLines(polygon, spacing, swath, region.centre());
+    Interior interior = new Interior(polygon);
+    List<Stroke> tour = new CellTour(Cell.of(polygon, lines), interior).strokes();
+    StrokeOrder order = new StrokeOrder(tour, interior);
+    order.insert(new Gaps(polygon, lines, swath / 2).fill());
+
+    List<Coordinate> way = new ArrayList<>();
+    List<Integer> laneStarts = new ArrayList<>();
+    for (Stroke stroke : order.driven()) {
+      connect(way, stroke.from(), interior);
+      laneStarts.add(way.size() - 1);
+      way.add(stroke.to());
+    }
+    List<LocalPosition> path = way.stream().map(axes::local).toList();
+    List<GeoPosition> waypoints =
+        path.stream().map(at -> region.onGround(at.east(), at.north())).toList();
+    return new RasterPlan(region, swath, lines.width(), path, waypoints, laneStarts);
+  }
+
+  private static void connect(List<Coordinate> way, Coordinate to, Interior interior) {
+    if (way.isEmpty()) {
+      way.add(to);
+      return;
+    }
+    List<Coordinate> between = interior.way(way.get(way.size() - 1), to);
+    for (Coordinate each : between.subList(1, between.size())) {
+      if (each.distance(way.get(way.size() - 1)) > 0) {
+        way.add(each);
+      }
+    }
+  }
+
+  /** The same waypoints backwards: the last lane first, and each driven the other way. */
+  public RasterPlan reversed() {
+    List<LocalPosition> back = new ArrayList<>(path);
+    List<GeoPosition> points = new ArrayList<>(waypoints);
+    Collections.reverse(back);
+    Collections.reverse(points);
+    List<Integer> starts = new ArrayList<>();
+    lanes.forEach(lane -> starts.add(0, path.size() - 2 - lane.waypoint()));
+    return new RasterPlan(region, swath, spacing, back, points, starts);
+  }
+
+  /** What is searched; its frame is that of the lanes and the path. */
+  public Region region() {
+    return region;
+  }
+
+  /** How wide a strip the robot sees, metres. */
+  public double swath() {
+    return swath;
+  }
+
+  /**
+   * From one lane to the next, metres: what was asked for, or a little less (or, where the last
+   * lane would have been for a millimetre only, a thousandth more).
+   */
+  public double spacing() {
+    return spacing;
+  }
+
+  /** The lanes in the order in which they are driven; one at least. */
+  public List<Lane> lanes() {
+    return lanes;
+  }
+
+  /** Where the robot drives to, one after the other, WGS84, height 0; two at least. */
+  public List<GeoPosition> waypoints() {
+    return waypoints;
+  }
+
+  /** The waypoints in the region's frame, ENU, metres, up 0. */
+  public List<LocalPosition> path() {
+    return path;
+  }
+
+  /** The length of the whole way, metres. */
+  public double length() {
+    double length = 0;
+    for (int i = 1; i < path.size(); i++) {
+      LocalPosition a = path.get(i - 1);
+      LocalPosition b = path.get(i);
+      length += Math.hypot(b.east() - a.east(), b.north() - a.north());
+    }
+    return length;
+  }
+
+  /**
+   * How much of the region was seen on a way that was driven.
+   *
+   * @param driven where the robot was, in the region's frame, ENU, metres; in between it is taken
+   *     to have gone straight
+   * @param seen how wide a strip it saw, metres, above 0
+   */
+  public Coverage coverage(List<LocalPosition> driven, double seen) {
+    return new CoverageGrid(region.polygon(), seen, CoverageGrid.FINENESS).of(driven);
+  }
+
+  /**
+   * Where the region was seen on a way that was driven, to be looked at; {@link #coverage} counts
+   * more exactly.
+   *
+   * @param driven where the robot was, as for {@link #coverage}
+   * @param seen how wide a strip it saw, metres, above 0
+   */
+  public CoverageMap coverageMap(List<LocalPosition> driven, double seen) {
+    return new CoverageGrid(region.polygon(), seen, CoverageGrid.COARSENESS).map(driven);
+  }
+}

@@ -1,0 +1,139 @@
+package org.dfra.behaviors.raster;
+
+import java.rmi.RemoteException;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.FollowWaypoints;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behavior.PathGoal;
+import org.dfra.core.behavior.Delegation;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One region being searched: what is left of its waypoints is one path for {@link FollowWaypoints}.
+ */
+final class RasterPursuit implements Pursuit {
+
+  private final RasterPlan plan;
+  private final double tolerance;
+  private final Delegation<PathGoal, FollowWaypoints> path;
+  private final Counter counter;
+  private int reached; // waypoints that are done
+  private int missed; // of those, the ones that were left out
+  private int begun; // waypoints that were done when the path began
+  private int missedBefore; // of those
+
+  /** Is told when more waypoints are done. */
+  interface Counter {
+    /**
+     * @param reached waypoints that are done
+     * @param missed of those, the ones that were left out, barred
+     */
+    void count(int reached, int missed);
+  }
+
+  /**
+   * @param tolerance how near each waypoint is near enough, metres
+   * @param reached waypoints that are done already, less than all
+   * @param missed of those, the ones that were left out
+   */
+  RasterPursuit(
+      RasterPlan plan,
+      double tolerance,
+      Delegation<PathGoal, FollowWaypoints> path,
+      int reached,
+      int missed,
+      Counter counter) {
+    this.plan = plan;
+    this.tolerance = tolerance;
+    this.path = path;
+    this.reached = reached;
+    this.missed = missed;
+    this.counter = counter;
+  }
+
+  @Override
+  public Progress step() throws RemoteException {
+    return turn().missing(missed);
+  }
+
+  private Progress turn() throws RemoteException {
+    Optional<BehaviorStatus> following = path.status();
+    if (following.isEmpty()) {
+      return begin();
+    }
+    BehaviorStatus status = following.get();
+    note(status);
+    switch (status.phase()) {
+      case SUCCEEDED:
+        return searched();
+      case FAILED: // what is left may be barred, and yet the robot has been elsewhere
+        boolean isAllMissed = status.missed() == plan.waypoints().size() - begun;
+        return isAllMissed && missed < reached
+            ? searched()
+            : Progress.failed(status.doing(), done());
+      case CANCELLED:
+        return Progress.held("its path was cancelled: " + status.doing(), done());
+      default:
+        return Progress.going(lane() + ", " + status.doing(), done());
+    }
+  }
+
+  private Progress begin() throws RemoteException {
+    List<GeoPosition> all = plan.waypoints();
+    @Nullable GeoPosition from = reached == 0 ? null : all.get(reached - 1);
+    try {
+      path.begin(new PathGoal(from, all.subList(reached, all.size()), tolerance));
+    } catch (GoalRefusedException e) {
+      if (e.isBusy()) { // somebody else uses it: it is waited for
+        throw e;
+      }
+      return Progress.failed(String.valueOf(e.getMessage()), done());
+    }
+    begun = reached;
+    missedBefore = missed;
+    return Progress.going(lane() + ", it begins", done());
+  }
+
+  /** A path tells how many of its waypoints are done as their share of all. */
+  private void note(BehaviorStatus status) {
+    int waypoints = plan.waypoints().size() - begun;
+    int now = begun + (int) Math.floor(status.done() * waypoints + 1e-6);
+    if (now > reached) {
+      reached = now;
+      missed = missedBefore + status.missed();
+      counter.count(reached, missed);
+    }
+  }
+
+  private Progress searched() {
+    return Progress.reached(
+        "the region is searched: "
+            + (missed == 0
+                ? "it has been everywhere"
+                : missed + " of " + plan.waypoints().size() + " waypoints left out, barred"));
+  }
+
+  private String lane() {
+    long driven = plan.lanes().stream().filter(lane -> lane.waypoint() + 1 < reached).count();
+    int lanes = plan.lanes().size();
+    return "lane " + Math.min(lanes, driven + 1) + " of " + lanes;
+  }
+
+  private double done() {
+    return (double) reached / plan.waypoints().size();
+  }
+
+  int reached() {
+    return reached;
+  }
+
+  @Override
+  public void rest() {
+    path.end();
+  }
+}

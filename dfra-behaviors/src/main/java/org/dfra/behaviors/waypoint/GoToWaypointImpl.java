@@ -1,0 +1,83 @@
+package org.dfra.behaviors.waypoint;
+
+import java.rmi.RemoteException;
+import java.util.List;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behaviors.raster.Reach;
+import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.motor.FuzzyDrive;
+import org.dfra.flow.perceptual.HeadingError;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Leg;
+import org.dfra.module.Module;
+
+/**
+ * Drives along a line to its end by the schemas of its robot. Where it stands in one place too long
+ * it gets itself out; where that does not help, the leg has failed.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code range_filter}, {@code heading_error}, {@code fuzzy_drive}, {@code position}, {@code
+ *       drive}: names of the modules it uses, each of its robot; where one is not set, any that can
+ *       do it
+ *   <li>{@code farthest}: metres, waypoints beyond are refused, 1 to 100 000; default 2000
+ *   <li>{@code attempts}: to get out of one place, 0 to 100; default 6
+ *   <li>{@code overshoot}: metres beside its end at which a leg that was passed counts as driven, 0
+ *       to 100; default 1
+ *   <li>{@code rate}: as every behaviour's; default 10 Hz
+ * </ul>
+ */
+public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoToWaypoint {
+
+  private final Needed<RangeFilter> room;
+  private final Needed<HeadingError> heading;
+  private final Needed<FuzzyDrive> rules;
+  private final Needed<PositionEstimator> position;
+  private final Needed<DriveEffector> drive;
+  private final Reach reach;
+  private final int attempts;
+  private final double overshoot;
+
+  /** See {@link org.dfra.core.module.ModuleImpl}. */
+  public GoToWaypointImpl(ModuleContext context) {
+    super(context, "drives to a waypoint", "DFRA", "1", LegGoal.class, 10);
+    this.room = Needed.of(context, RangeFilter.class, "range_filter");
+    this.heading = Needed.of(context, HeadingError.class, "heading_error");
+    this.rules = Needed.of(context, FuzzyDrive.class, "fuzzy_drive");
+    this.position = Needed.of(context, PositionEstimator.class, "position");
+    this.drive = Needed.of(context, DriveEffector.class, "drive");
+    this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
+    this.attempts = (int) settings().number("attempts", 6, 0, 100);
+    this.overshoot = settings().number("overshoot", 1, 0, 100);
+  }
+
+  @Override
+  protected Pursuit begin(LegGoal goal) throws RemoteException {
+    for (Needed<?> each : List.of(room, heading, rules, drive)) {
+      Module unused = each.now(); // refuses where one is missing
+    }
+    GeoPosition here = position.now().estimate().position();
+    reach.require(here, goal.to());
+    GeoPosition from = goal.from() == null ? here : goal.from();
+    reach.require(here, from);
+    return new LegPursuit(
+        new LegPursuit.Means(
+            heading::now,
+            room::now,
+            rules::now,
+            new Wheels(drive),
+            context().robotTime()::nanos,
+            attempts,
+            overshoot),
+        new Leg(from, goal.to()),
+        goal.tolerance());
+  }
+}

@@ -1,0 +1,146 @@
+package org.dfra.behaviors.waypoint;
+
+import java.rmi.RemoteException;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.motor.FuzzyDrive;
+import org.dfra.flow.perceptual.Clearance;
+import org.dfra.flow.perceptual.HeadingError;
+import org.dfra.flow.perceptual.HeadingPercept;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.geometry.Leg;
+import org.dfra.lease.LeaseRefusedException;
+import org.jspecify.annotations.Nullable;
+
+/** One leg being driven. Every turn it looks, asks the rules, and tells the wheels. */
+final class LegPursuit implements Pursuit {
+
+  /**
+   * What a leg is driven by.
+   *
+   * @param heading gives the one that is there now; likewise room and rules
+   * @param nanos the robot's time
+   * @param attempts recoveries on one leg after which it counts as barred
+   * @param overshoot metres beside its end at which a leg counts as driven once it is passed
+   */
+  record Means(
+      Supplier<HeadingError> heading,
+      Supplier<RangeFilter> room,
+      Supplier<FuzzyDrive> rules,
+      Wheels wheels,
+      LongSupplier nanos,
+      int attempts,
+      double overshoot) {}
+
+  /** Those that it uses until it rests. */
+  private record Senses(HeadingError heading, RangeFilter room, FuzzyDrive rules) {}
+
+  private static final double STANDING = 6; // seconds
+  private static final double NOWHERE = 40; // seconds
+
+  /** With more doubt in its yaw a robot drives straight on, by which it learns it, radians. */
+  private static final double LOST = 0.6;
+
+  private final Means means;
+  private final Leg leg;
+  private final double tolerance;
+  private final StuckWatch watch = new StuckWatch(STANDING, NOWHERE);
+  private @Nullable Senses senses;
+  private @Nullable Recovery recovery;
+  private int recoveries;
+  private double whole = Double.NaN; // metres to go at the beginning
+
+  LegPursuit(Means means, Leg leg, double tolerance) {
+    this.means = means;
+    this.leg = leg;
+    this.tolerance = tolerance;
+  }
+
+  @Override
+  public Progress step() throws RemoteException, LeaseRefusedException {
+    Senses by = senses();
+    HeadingPercept heading = by.heading().towards(leg);
+    if (Double.isNaN(whole)) {
+      whole = Math.max(tolerance, heading.distance());
+    }
+    if (isThere(heading)) {
+      return Progress.reached(
+          String.format(Locale.ROOT, "it is there, %.2f m off", heading.distance()));
+    }
+    Clearance room = by.room().clearance();
+    long now = means.nanos().getAsLong();
+    if (recovery != null && recovery.isOver(now)) {
+      recovery = null;
+      watch.reset();
+    }
+    if (recovery == null && watch.isStuck(now, heading)) {
+      if (recoveries >= means.attempts()) {
+        return Progress.failed(
+            String.format(
+                Locale.ROOT,
+                "it cannot get nearer than %.1f m; something is in the way",
+                heading.distance()),
+            done(heading));
+      }
+      recovery = new Recovery(now, recoveries++);
+    }
+    means.wheels().turn(velocity(by.rules(), now, room, heading));
+    return Progress.going(doing(heading), done(heading));
+  }
+
+  /** Whether the end is near enough, or was passed. */
+  private boolean isThere(HeadingPercept heading) {
+    return heading.distance() <= tolerance
+        || (heading.remaining() <= 0 && heading.distance() <= means.overshoot());
+  }
+
+  private Senses senses() {
+    Senses by = senses;
+    if (by == null) {
+      by = new Senses(means.heading().get(), means.room().get(), means.rules().get());
+      senses = by;
+    }
+    return by;
+  }
+
+  private Velocity velocity(FuzzyDrive rules, long now, Clearance room, HeadingPercept heading)
+      throws RemoteException {
+    @Nullable Recovery out = recovery;
+    if (out == null) {
+      HeadingPercept known = heading.headingSigma() > LOST ? heading.straight() : heading;
+      return rules.advise(room, known).velocity();
+    }
+    @Nullable Velocity wanted = out.velocity(now, room);
+    if (wanted != null) {
+      return wanted;
+    }
+    return rules.advise(room, heading.straight()).velocity();
+  }
+
+  /** In whole metres, so that it is not news at every turn. */
+  private String doing(HeadingPercept heading) {
+    String how =
+        recovery != null
+            ? "it was stuck and gets itself out"
+            : heading.headingSigma() > LOST
+                ? "it drives straight on to learn which way it faces"
+                : "it drives";
+    return how + ", " + Math.round(heading.distance()) + " m to go";
+  }
+
+  private double done(HeadingPercept heading) {
+    return Math.max(0, 1 - heading.distance() / whole) * 0.99;
+  }
+
+  @Override
+  public void rest() {
+    means.wheels().rest();
+    senses = null;
+    recovery = null;
+    watch.reset();
+  }
+}

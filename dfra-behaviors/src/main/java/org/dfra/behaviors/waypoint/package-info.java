@@ -1,0 +1,15 @@
+/**
+ * Behaviours that bring a robot somewhere.
+ *
+ * <pre>
+ *   FollowWaypointsImpl --legs--&gt; GoToWaypointImpl: LegPursuit, ten times a second:
+ *   ReturnHomeImpl ------'           HeadingError, RangeFilter --&gt; FuzzyDrive --&gt; Wheels
+ *                                    StuckWatch ---------------&gt; Recovery -----'
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.behaviors.waypoint.GoToWaypointImpl}.
+ */
+@NullMarked
+package org.dfra.behaviors.waypoint;
+
+import org.jspecify.annotations.NullMarked;

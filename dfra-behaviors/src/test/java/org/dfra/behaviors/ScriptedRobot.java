@@ -1,0 +1,257 @@
+package org.dfra.behaviors;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behaviors.motor.FuzzyDriveImpl;
+import org.dfra.behaviors.perceptual.heading.HeadingErrorImpl;
+import org.dfra.behaviors.waypoint.GoToWaypointImpl;
+import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.effector.DriveImpl;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.core.state.StateStore;
+import org.dfra.directory.Watch;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.perceptual.Clearance;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.DriveAttributes;
+import org.dfra.persona.PerceptualSchemaAttributes;
+
+/**
+ * A robot whose percepts are told by the test and whose body goes where its wheels turn, unless it
+ * is held. Ten times a second it moves and perceives. All is by stepped time.
+ */
+public final class ScriptedRobot implements AutoCloseable {
+
+  public static final GeoPosition DATUM = new GeoPosition(48, 11, 0);
+  public static final String NAME = "atrv1";
+
+  private static final LocalFrame FRAME = new LocalFrame(DATUM);
+  private static final double TICK = 0.1;
+
+  public final SteppedTime time = new SteppedTime();
+  public final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
+  public final Map<String, StateStore> states = new HashMap<>();
+  public final Drive drive = new Drive(context("drive", Map.of()));
+  public final Place position = new Place(context("position", Map.of()));
+  public final Room room = new Room("range_filter");
+
+  public double east;
+  public double north;
+  public double yaw;
+  public double yawSigma = 0.02;
+  public double ahead = 8;
+  public boolean isHeld;
+  public Duration roomDelay = Duration.ZERO;
+
+  /** Which of its filters sees the room. */
+  public Room seer = room;
+
+  public boolean seesRoom = true;
+  public boolean seesPlace = true;
+
+  private final Map<ModuleImpl, Watch> modules = new HashMap<>();
+  private final List<ModuleImpl> order = new ArrayList<>();
+
+  /** With wheels, a position, room, guidance and rules; without a behaviour. */
+  public ScriptedRobot() {
+    add(drive);
+    add(position);
+    add(room);
+    add(new HeadingErrorImpl(context("heading_error", Map.of())));
+    add(new FuzzyDriveImpl(context("fuzzy_drive", Map.of("system_file", rules().toString()))));
+    tick();
+    time.step(0.5);
+  }
+
+  public static Path rules() {
+    return Path.of(System.getProperty("dfra.root", "."), "config", "fuzzy", "waypoint.fis");
+  }
+
+  public ModuleContext context(String name, Map<String, String> parameters) {
+    return context(name, Parameters.of(NAME + "/" + name, parameters));
+  }
+
+  public ModuleContext context(String name, Parameters parameters) {
+    StateStore state = states.computeIfAbsent(name, unused -> StateStore.inMemory());
+    return new ModuleContext(NAME, name, parameters, time, state).among(directory);
+  }
+
+  /** Starts a module and lists it. */
+  public <M extends ModuleImpl> M add(M module) {
+    module.start();
+    modules.put(module, directory.add(module));
+    order.add(0, module);
+    return module;
+  }
+
+  /** Its process ends. */
+  public void end(ModuleImpl module) {
+    modules.remove(module).close();
+    order.remove(module);
+    module.close();
+  }
+
+  public GoToWaypointImpl addGoTo(Map<String, String> parameters) {
+    return add(new GoToWaypointImpl(context("go_to_waypoint", parameters)));
+  }
+
+  /** Steps until a behaviour is in this phase. */
+  public boolean reaches(BehaviorImpl<?> behavior, BehaviorStatus.Phase phase, double seconds) {
+    return time.until(() -> behavior.status().phase() == phase, seconds);
+  }
+
+  /** Steps until a behaviour says this. */
+  public boolean hears(BehaviorImpl<?> behavior, String part, double seconds) {
+    return time.until(() -> behavior.status().doing().contains(part), seconds);
+  }
+
+  public static GeoPosition at(double east, double north) {
+    return FRAME.toGeo(new LocalPosition(east, north, 0));
+  }
+
+  public double distanceTo(double toEast, double toNorth) {
+    return Math.hypot(toEast - east, toNorth - north);
+  }
+
+  private void tick() {
+    Velocity turning = drive.turning;
+    if (!isHeld) {
+      yaw += turning.turnRate() * TICK;
+      east += turning.speed() * Math.cos(yaw) * TICK;
+      north += turning.speed() * Math.sin(yaw) * TICK;
+    }
+    if (seesPlace) {
+      position.see(
+          new PoseEstimate(
+              time.instant(),
+              NAME + "/map",
+              DATUM,
+              east,
+              north,
+              Math.IEEEremainder(yaw, 2 * Math.PI),
+              turning.speed(),
+              turning.turnRate(),
+              0.1,
+              yawSigma,
+              null,
+              null));
+    }
+    if (seesRoom) {
+      seer.see(new Clearance(time.instant().minus(roomDelay), NAME + "/base_link", 8, ahead, 8));
+    }
+    Object unused = time.after(Math.round(TICK * 1e9), this::tick);
+  }
+
+  @Override
+  public void close() {
+    List.copyOf(order).forEach(this::end);
+    directory.close();
+  }
+
+  /** Wheels that remember what they were told. */
+  public static final class Drive extends DriveImpl {
+
+    public final List<Velocity> told = new ArrayList<>();
+    public Velocity turning = Velocity.ZERO;
+
+    Drive(ModuleContext context) {
+      super(
+          context,
+          "scripted wheels",
+          "DFRA",
+          "1",
+          new DriveAttributes(1, 2, 0.78, 0.64),
+          0.1,
+          List.of());
+    }
+
+    @Override
+    protected void onStart() {
+      become(Readiness.READY);
+    }
+
+    @Override
+    protected void onClose() {}
+
+    @Override
+    protected void turn(Velocity wanted) {
+      told.add(wanted);
+      turning = wanted;
+    }
+
+    @Override
+    protected void halt() {
+      turning = Velocity.ZERO;
+    }
+
+    @Override
+    protected void brake(boolean set) {}
+  }
+
+  /** Tells where it is told to be. */
+  public static final class Place extends PerceptualSchemaImpl<PoseEstimate>
+      implements PositionEstimator {
+
+    Place(ModuleContext context) {
+      super(context, "a place", "DFRA", "1", PoseEstimate.class, "PoseEstimate", 0.5);
+    }
+
+    public void see(PoseEstimate pose) {
+      perceive(pose);
+    }
+
+    @Override
+    protected PerceptualSchemaAttributes qualities() {
+      return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
+    }
+
+    @Override
+    public PoseEstimate estimate() {
+      return percept();
+    }
+  }
+
+  /** Tells the room that it is told. */
+  public final class Room extends PerceptualSchemaImpl<Clearance> implements RangeFilter {
+
+    public Room(String name) {
+      super(
+          ScriptedRobot.this.context(name, Map.of()),
+          "room",
+          "DFRA",
+          "1",
+          Clearance.class,
+          "Clearance",
+          0.5);
+    }
+
+    public void see(Clearance clearance) {
+      perceive(clearance);
+    }
+
+    @Override
+    protected PerceptualSchemaAttributes qualities() {
+      return new PerceptualSchemaAttributes("Clearance", null, "told", null, null);
+    }
+
+    @Override
+    public Clearance clearance() {
+      return percept();
+    }
+  }
+}

@@ -1,0 +1,76 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.Parameters;
+import org.dfra.flow.sensor.CameraImage.Band;
+import org.junit.jupiter.api.Test;
+
+class MineDetectorSettingsTest {
+
+  private final Map<String, String> told = new TreeMap<>();
+
+  MineDetectorSettingsTest() {
+    for (String band : new String[] {"visible", "thermal"}) {
+      for (String when : new String[] {"", "_after_alarm", "_after_silence"}) {
+        told.put(band + "_true_positive" + when, "0.8");
+        told.put(band + "_false_positive" + when, "0.1");
+      }
+    }
+  }
+
+  private MineDetectorSettings settings() {
+    return MineDetectorSettings.of(Parameters.of("robot/mines", told));
+  }
+
+  @Test
+  void ratesAreThoseOfTheirCameraAndOfTheLookBefore() {
+    told.put("thermal_false_positive_after_alarm", "0.7");
+    Repeated heat = settings().rates().get(Band.THERMAL);
+    assertThat(heat).isNotNull();
+    assertThat(heat.afterAlarm().falsePositive()).isEqualTo(0.7);
+    assertThat(heat.first().falsePositive()).isEqualTo(0.1);
+  }
+
+  @Test
+  void ratesThatNobodyMeasuredAreAskedFor() {
+    told.remove("visible_false_positive_after_silence");
+    assertThatThrownBy(this::settings)
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("visible_false_positive_after_silence");
+  }
+
+  @Test
+  void theRatesShownAreThoseOfTheFusionChosen() {
+    told.put("bayes_true_positive", "0.9");
+    told.put("dempster_shafer_true_positive", "0.95");
+    assertThat(settings().truePositive()).isEqualTo(0.9);
+    assertThat(settings().falsePositive()).as("not told").isNull();
+    told.put("fusion", "dempster-shafer");
+    assertThat(settings().truePositive()).isEqualTo(0.95);
+    assertThat(settings().fusion()).isInstanceOf(DempsterShaferFusion.class);
+  }
+
+  @Test
+  void whatCannotBeIsRefusedByName() {
+    for (Map.Entry<String, String> wrong :
+        Map.of(
+                "fusion", "majority",
+                "visible_true_positive", "1",
+                "mine_colour", "olive",
+                "far", "0.6",
+                "prior", "0")
+            .entrySet()) {
+      Map<String, String> others = new TreeMap<>(told);
+      others.put(wrong.getKey(), wrong.getValue());
+      assertThatThrownBy(() -> MineDetectorSettings.of(Parameters.of("robot/mines", others)))
+          .as("%s", wrong)
+          .isInstanceOf(ConfigurationException.class)
+          .hasMessageContaining(wrong.getKey());
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.dfra.behaviors.perceptual.pose.TrackerSettings.GyroErrors;
+import org.junit.jupiter.api.Test;
+
+class TrackTest {
+
+  private final Track track = new Track(GyroErrors.DEFAULT);
+  private long now;
+
+  /** The wheels rest for a second, and the gyro shows that rate, in radians per second. */
+  private void rest(double rate) {
+    long then = now + Ticks.SECOND;
+    track.add(new Step(now, then, 0, 0, rate, 0, 0, true, false));
+    now = then;
+  }
+
+  @Test
+  void itFollowsAnErrorThatDriftsFarFromWhereItBegan() {
+    track.begin(0);
+    for (int second = 0; second < 600; second++) {
+      rest(1e-4 * second);
+    }
+    assertThat(track.bias()).isCloseTo(0.06, within(0.01)); // it lags by a minute
+    assertThat(track.end().yaw()).isZero();
+  }
+
+  @Test
+  void oneThatIsTurnedByHandTurns() {
+    track.begin(0);
+    rest(0.001);
+    for (int second = 0; second < 10; second++) {
+      rest(0.25);
+    }
+    assertThat(track.bias()).isEqualTo(0.001);
+    assertThat(track.end().yaw()).isCloseTo(2.49, within(1e-9));
+  }
+}

@@ -1,0 +1,27 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.dfra.behaviors.perceptual.pose.TrackerSettings.GpsErrors;
+import org.dfra.behaviors.perceptual.pose.TrackerSettings.GyroErrors;
+import org.junit.jupiter.api.Test;
+
+class TrackerSettingsTest {
+
+  @Test
+  void refusesErrorsThatCannotBe() {
+    assertThatThrownBy(() -> new GpsErrors(0, 1, 200, 0.05, 0.4, 0.16, 3))
+        .hasMessage("white noise 0.0 is not above 0; give one that is");
+    assertThatThrownBy(() -> new GyroErrors(3e-4, Double.NaN, 2e-4, 0.01))
+        .hasMessageContaining("gyro bias NaN");
+    assertThatThrownBy(() -> GpsErrors.DEFAULT.withBias(-1))
+        .hasMessage("bias -1.0 is below 0; give 0 or more");
+  }
+
+  @Test
+  void aCourseIsWorthMoreTheFasterButNeverAll() {
+    assertThat(GpsErrors.DEFAULT.courseSigma(0.5)).isEqualTo(0.1);
+    assertThat(GpsErrors.DEFAULT.courseSigma(100)).isEqualTo(0.03);
+  }
+}

@@ -1,0 +1,109 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import org.dfra.behaviors.perceptual.pose.Field.Errors;
+import org.junit.jupiter.api.Test;
+
+/**
+ * How good the trackers are on a simulated field. Every figure is of {@value #SEEDS} seeds, and a
+ * bound must hold by three standard errors of their mean: it then fails by chance less than once in
+ * five hundred for other seeds, and never for these.
+ */
+class TrackersOnFieldTest {
+
+  private static final int SEEDS = 20;
+  private static final double FROM = 30;
+  private static final double SECONDS = 240;
+
+  /** A mean and its standard error. */
+  private record Figure(double mean, double error) {
+
+    static Figure of(double[] values) {
+      double mean = Arrays.stream(values).average().orElseThrow();
+      double square = Arrays.stream(values).map(v -> (v - mean) * (v - mean)).sum();
+      return new Figure(mean, Math.sqrt(square / (values.length - 1) / values.length));
+    }
+
+    double atMost() {
+      return mean + 3 * error;
+    }
+
+    double atLeast() {
+      return mean - 3 * error;
+    }
+  }
+
+  private static double[] ride(
+      TrackerKind kind, Errors errors, double told, ToDoubleFunction<Ride> figure) {
+    return IntStream.range(0, SEEDS)
+        .mapToDouble(
+            seed -> {
+              Field field = new Field(seed, errors, SECONDS);
+              PoseTracker tracker = kind.create(TrackerTable.told(told), "r/map", Field.DATUM);
+              return figure.applyAsDouble(new Ride(field, tracker).go(FROM).compare(FROM, SECONDS));
+            })
+        .toArray();
+  }
+
+  private static Figure ratio(double[] values, double[] to) {
+    return Figure.of(
+        IntStream.range(0, values.length).mapToDouble(i -> values[i] / to[i]).toArray());
+  }
+
+  @Test
+  void isFarBetterThanRawFixesWhenTheirNoiseIsWhite() {
+    double[] kalman = ride(TrackerKind.KALMAN, Errors.WHITE, 0, Ride::rms);
+    double[] history = ride(TrackerKind.HISTORY, Errors.WHITE, 0, Ride::rms);
+    double[] raw = ride(TrackerKind.RAW, Errors.WHITE, 0, Ride::rms);
+    // Required is 30 % better; dead reckoning over a lane averages tens of fixes.
+    assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);
+    assertThat(ratio(kalman, history).atMost()).as("Kalman to heuristic").isLessThan(1);
+    assertThat(ratio(history, raw).atMost()).as("heuristic to raw").isLessThan(1);
+  }
+
+  @Test
+  void isBetterThanRawFixesWhoseErrorIsSlow() {
+    Errors slow = Errors.WHITE.withBias(1.5);
+    double[] kalman = ride(TrackerKind.KALMAN, slow, 1.5, Ride::rms);
+    double[] raw = ride(TrackerKind.RAW, slow, 1.5, Ride::rms);
+    // Two receivers whose errors are their own: no better than 1/√2 without the past.
+    assertThat(ratio(kalman, raw).atMost()).isLessThan(0.75);
+  }
+
+  @Test
+  void isAsGoodAsItSays() {
+    double[] nees = ride(TrackerKind.KALMAN, Errors.WHITE.withBias(1.5), 1.5, Ride::nees);
+    // Two numbers estimated: 2 for a linear filter that is told all. Slip comes in spells of 2 s
+    // and
+    // not white, encoders and turning are simplified; half of it to one and a half of it will do.
+    Figure figure = Figure.of(nees);
+    assertThat(figure.atMost()).as("not overcautious: %s", figure).isGreaterThan(1);
+    assertThat(figure.atLeast()).as("not overconfident: %s", figure).isLessThan(3);
+  }
+
+  @Test
+  void knowsItsYaw() {
+    double[] yaw = ride(TrackerKind.KALMAN, Errors.WHITE.withBias(1.5), 1.5, Ride::yawRms);
+    // A course is worth 0.083 rad, and there are two a second.
+    assertThat(Figure.of(yaw).atMost()).isLessThan(0.04);
+  }
+
+  @Test
+  void learnsHowWheelsTurnWhereThereIsNoGyro() {
+    Errors noGyro = Errors.WHITE.withoutGyro(0.3);
+    double[] kalman = ride(TrackerKind.KALMAN, noGyro, 0, Ride::rms);
+    double[] raw = ride(TrackerKind.RAW, noGyro, 0, Ride::rms);
+    assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);
+  }
+
+  @Test
+  void toleratesNoiseThatIsNotAsTold() {
+    double[] kalman = ride(TrackerKind.KALMAN, Errors.WHITE, 1.5, Ride::rms);
+    double[] raw = ride(TrackerKind.RAW, Errors.WHITE, 1.5, Ride::rms);
+    assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);
+  }
+}

@@ -1,0 +1,72 @@
+package org.dfra.behaviors.perceptual.pose;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.SplittableRandom;
+import org.dfra.time.ClockOffset;
+import org.junit.jupiter.api.Test;
+
+/** How well a clock's offset is known, and that it says so. */
+class UtcOffsetTest {
+
+  private static final long LEAST = 160_000_000; // nanoseconds
+  private static final double MEAN = 3e7; // nanoseconds, of what latencies are above that
+
+  /** Fixes twice a second; the clock is ahead by so many nanoseconds at the beginning. */
+  private static ClockOffset after(int fixes, long ahead, double drift, SplittableRandom random) {
+    UtcOffset offset = new UtcOffset();
+    long now = 0;
+    for (int i = 0; i < fixes; i++) {
+      long utc = i * 500_000_000L;
+      long heard = utc + LEAST + (long) (-MEAN * Math.log(1 - random.nextDouble()));
+      now = heard + ahead + (long) (drift * heard);
+      offset.take(utc, now);
+    }
+    return offset.known(now).orElseThrow();
+  }
+
+  @Test
+  void theErrorIsWithinWhatIsTold() {
+    int wrong = 0;
+    int all = 0;
+    for (long seed = 0; seed < 200; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      for (int fixes : new int[] {2, 5, 20, 64, 300}) {
+        long ahead = random.nextLong(-2_000_000_000L, 2_000_000_000L);
+        double drift = random.nextDouble(-1e-4, 1e-4);
+        ClockOffset told = after(fixes, ahead, drift, random);
+        double truly = ahead / 1e9 + drift * fixes * 0.5 + LEAST / 1e9;
+        all++;
+        if (Math.abs(told.seconds() - truly) > told.secondsWithin()) {
+          wrong++;
+        }
+      }
+    }
+    // One in 150 may be by what is told of few latencies; drift and the rest leave some room.
+    assertThat(wrong).as("of %d, more are off than is told", all).isLessThanOrEqualTo(all / 100);
+  }
+
+  @Test
+  void itIsKnownBetterWithMoreFixesAndWorseWhenTheyStop() {
+    SplittableRandom random = new SplittableRandom(1);
+    double one = after(1, 0, 0, random).secondsWithin();
+    double some = after(8, 0, 0, random).secondsWithin();
+    double many = after(64, 0, 0, random).secondsWithin();
+    assertThat(many).isLessThan(some).isLessThan(0.02);
+    assertThat(some).isLessThan(one);
+    UtcOffset offset = new UtcOffset();
+    offset.take(0, LEAST);
+    double now = offset.known(LEAST).orElseThrow().secondsWithin();
+    double later = offset.known(LEAST + 600_000_000_000L).orElseThrow().secondsWithin();
+    assertThat(later - now).as("a ten-thousandth of ten minutes").isBetween(0.059, 0.061);
+  }
+
+  @Test
+  void withoutAFixNothingIsKnown() {
+    UtcOffset offset = new UtcOffset();
+    assertThat(offset.known(0)).isEmpty();
+    offset.take(0, LEAST);
+    offset.clear();
+    assertThat(offset.known(0)).isEmpty();
+  }
+}

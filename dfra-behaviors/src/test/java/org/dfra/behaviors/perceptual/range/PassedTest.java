@@ -1,0 +1,103 @@
+package org.dfra.behaviors.perceptual.range;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.flow.sensor.RangeScan;
+import org.dfra.geometry.Transform;
+import org.junit.jupiter.api.Test;
+
+/** A laser at the front of a robot that sees the half circle ahead, a beam a degree. */
+class PassedTest {
+
+  private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
+  private static final Transform MOUNT = Transform.shift(0.3, 0, 0);
+  private static final int BEAMS = 181;
+
+  private final Passed passed = new Passed(Duration.ofSeconds(3));
+
+  /** A scan that meets a thing at a place of the odometry's frame where it sees it. */
+  private void scan(double seconds, double x, double y, double yaw, double thingX, double thingY) {
+    Odometry at = odometry(seconds, x, y, yaw);
+    double forward = Math.cos(yaw) * (thingX - x) + Math.sin(yaw) * (thingY - y) - MOUNT.x();
+    double left = Math.cos(yaw) * (thingY - y) - Math.sin(yaw) * (thingX - x);
+    float[] ranges = new float[BEAMS];
+    Arrays.fill(ranges, Float.POSITIVE_INFINITY);
+    int beam = (int) Math.rint(Math.toDegrees(Math.atan2(left, forward)) + 90);
+    if (beam >= 0 && beam < BEAMS) {
+      ranges[beam] = (float) Math.hypot(forward, left);
+    }
+    RangeScan scan =
+        new RangeScan(at.measured(), "laser", -Math.PI / 2, Math.toRadians(1), 0, 0.02, 80, ranges);
+    passed.take(scan, ranges, MOUNT, at);
+  }
+
+  private static Odometry odometry(double seconds, double x, double y, double yaw) {
+    Instant time = BEGIN.plusNanos((long) (seconds * 1e9));
+    return new Odometry(time, "odom", "base_link", x, y, yaw, 0, 0);
+  }
+
+  private List<double[]> told(double x, double y, double yaw) {
+    List<double[]> points = new ArrayList<>();
+    passed.tell(
+        odometry(0, x, y, yaw), (forward, left) -> points.add(new double[] {forward, left}));
+    return points;
+  }
+
+  @Test
+  void remembersWhereAThingIsThatItHasDrivenPast() {
+    for (int i = 0; i <= 15; i++) {
+      scan(i * 0.1, i * 0.1, 0, 0, 1, 0.7);
+    }
+    List<double[]> points = told(1.5, 0, 0);
+    assertThat(points).isNotEmpty();
+    for (double[] each : points) {
+      assertThat(each[0]).as("behind the middle, metres").isCloseTo(-0.5, within(0.06));
+      assertThat(each[1]).as("to the left, metres").isCloseTo(0.7, within(0.06));
+    }
+    double[] turned = told(1.5, 0, Math.PI / 2).get(0);
+    assertThat(turned[0]).as("ahead once it has turned left").isCloseTo(0.7, within(0.06));
+    assertThat(turned[1]).isCloseTo(0.5, within(0.06));
+  }
+
+  @Test
+  void takesTheSensorsWordForWhatTheSensorSees() {
+    scan(0, 0, 0, 0, 1, 0.7);
+    assertThat(told(0, 0, 0)).hasSize(1);
+    scan(0.1, 0, 0, 0, 9, 9); // it was carried away
+    assertThat(told(0, 0, 0)).isEmpty();
+  }
+
+  @Test
+  void forgetsAfterAWhileAndAtADistance() {
+    scan(0, 0, 0, 0, 1, 0.7);
+    scan(1, 1.5, 0, 0, 1, 0.7); // out of sight
+    assertThat(told(1.5, 0, 0)).hasSize(1);
+    scan(2.9, 1.5, 0, 0, 1, 0.7);
+    assertThat(told(1.5, 0, 0)).hasSize(1);
+    scan(3.1, 1.5, 0, 0, 1, 0.7);
+    assertThat(told(1.5, 0, 0)).as("3 s are over").isEmpty();
+
+    scan(4, 0, 0, 0, 1, 0.7);
+    scan(5, 3.2, 0, 0, 1, 0.7);
+    assertThat(told(3.2, 0, 0)).as("farther than 2 m").isEmpty();
+  }
+
+  @Test
+  void passesOverBeamsThatMeasuredNothingOrFailed() {
+    float[] ranges = new float[BEAMS];
+    Arrays.fill(ranges, Float.NaN);
+    ranges[3] = Float.POSITIVE_INFINITY;
+    ranges[4] = Float.NEGATIVE_INFINITY;
+    RangeScan scan =
+        new RangeScan(BEGIN, "laser", -Math.PI / 2, Math.toRadians(1), 0, 0.02, 80, ranges);
+    passed.take(scan, ranges, MOUNT, odometry(0, 0, 0, 0));
+    assertThat(told(0, 0, 0)).isEmpty();
+  }
+}

@@ -1,0 +1,284 @@
+package org.dfra.behaviors.raster;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.dfra.behaviors.ScriptedRobot.at;
+
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.behaviors.ScriptedRobot;
+import org.dfra.behaviors.waypoint.FollowWaypointsImpl;
+import org.dfra.behaviors.waypoint.GoToWaypointImpl;
+import org.dfra.core.state.StateStore;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A search of 6 m by 8 m in four lanes. */
+@Timeout(120)
+class RasterSearchTest {
+
+  private static final RasterGoal FIELD =
+      new RasterGoal(List.of(at(1, 1), at(7, 1), at(7, 9), at(1, 9)), 2, 1.6, false);
+  private static final int WAYPOINTS = RasterPlan.of(FIELD).waypoints().size();
+  private static final double LONG = 300; // seconds
+
+  private final ScriptedRobot robot = new ScriptedRobot();
+  private GoToWaypointImpl goTo;
+  private FollowWaypointsImpl follow;
+
+  @BeforeEach
+  void begin() {
+    goTo = robot.addGoTo(Map.of());
+    follow = robot.add(new FollowWaypointsImpl(robot.context("follow_waypoints", Map.of())));
+  }
+
+  @AfterEach
+  void end() {
+    robot.close();
+  }
+
+  private RasterSearchImpl addSearch(Map<String, String> parameters) {
+    return robot.add(new RasterSearchImpl(robot.context("raster_search", parameters)));
+  }
+
+  /** Its process dies, and with it nothing is told or kept any more. */
+  private RasterSearchImpl crash(RasterSearchImpl search) throws Exception {
+    byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
+    robot.end(search);
+    follow.cancel();
+    robot.states.put("raster_search", StateStore.inMemory());
+    robot.states.get("raster_search").write("raster", kept);
+    return addSearch(Map.of());
+  }
+
+  @Test
+  void searchesTheRegionLaneByLane() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID goal = search.pursue(FIELD);
+    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
+    assertThat(search.status().goal()).isEqualTo(goal);
+    assertThat(search.status().doing()).isEqualTo("the region is searched: it has been everywhere");
+    assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
+    robot.end(search);
+    RasterSearchImpl next = addSearch(Map.of());
+    assertThat(next.status().phase()).as("what has ended is forgotten").isEqualTo(Phase.IDLE);
+  }
+
+  @Test
+  void goesOnWhereItWasWhenItsProcessHasDied() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 3 of ", LONG)).isTrue();
+    double done = first.status().done();
+    assertThat(done).isPositive();
+    RasterSearchImpl second = crash(first);
+    assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(second.status().done()).isEqualTo(done);
+    assertThat(robot.hears(second, "lane 3 of ", 2)).as("%s", second.status()).isTrue();
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+  }
+
+  @Test
+  void remembersWhatItLeftOutThoughItsPathBeginsAnew() throws Exception {
+    giveUpAtOnce();
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "waypoint 3 of ", LONG)).isTrue();
+    robot.isHeld = true;
+    assertThat(robot.time.until(() -> first.status().missed() == 1, LONG)).isTrue();
+    robot.isHeld = false;
+    first.pause();
+    first.resume();
+    assertThat(robot.hears(first, "waypoint 2 of ", LONG)).as("of what was left").isTrue();
+    assertThat(first.status().missed()).isEqualTo(1);
+    RasterSearchImpl second = crash(first);
+    assertThat(second.status().missed()).isEqualTo(1);
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+    assertThat(second.status().missed()).isEqualTo(1);
+    assertThat(second.status().doing())
+        .isEqualTo("the region is searched: 1 of " + WAYPOINTS + " waypoints left out, barred");
+  }
+
+  @Test
+  void isSearchedThoughTheLastThatWasLeftIsBarred() throws Exception {
+    giveUpAtOnce();
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID unused = search.pursue(FIELD);
+    assertThat(robot.hears(search, "waypoint " + WAYPOINTS + " of ", LONG)).isTrue();
+    search.pause();
+    robot.isHeld = true;
+    search.resume();
+    assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
+    assertThat(search.status().missed()).isEqualTo(1);
+    assertThat(search.status().doing()).contains("1 of " + WAYPOINTS);
+  }
+
+  @Test
+  void failsWhereItCanGetToNone() throws Exception {
+    giveUpAtOnce();
+    robot.isHeld = true;
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID unused = search.pursue(FIELD);
+    assertThat(robot.reaches(search, Phase.FAILED, LONG)).as("%s", search.status()).isTrue();
+    assertThat(search.status().missed()).isEqualTo(WAYPOINTS);
+    assertThat(search.status().doing()).isEqualTo("it could get to none of its waypoints");
+  }
+
+  private void giveUpAtOnce() {
+    robot.end(goTo);
+    goTo = robot.addGoTo(Map.of("attempts", "0"));
+  }
+
+  @Test
+  void goesOnBeforeItsNeighboursAreThere() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    robot.end(follow);
+    byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
+    robot.end(first);
+    robot.states.get("raster_search").write("raster", kept);
+    RasterSearchImpl second = addSearch(Map.of());
+    robot.time.step(3);
+    assertThat(second.status().doing()).contains("it needs a FollowWaypoints on atrv1");
+    follow = robot.add(new FollowWaypointsImpl(robot.context("follow_again", Map.of())));
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+  }
+
+  @Test
+  void waitsToBeResumedAfterAnOrderlyEndOrWhereItIsToldTo() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    robot.end(first);
+    RasterSearchImpl second = addSearch(Map.of());
+    assertThat(second.status().phase()).isEqualTo(Phase.PAUSED);
+    double stood = robot.north;
+    robot.time.step(5);
+    assertThat(robot.north).isEqualTo(stood);
+    second.resume();
+    assertThat(robot.hears(second, "lane 2 of ", 2)).isTrue();
+
+    byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
+    robot.end(second);
+    robot.states.get("raster_search").write("raster", kept);
+    RasterSearchImpl third = addSearch(Map.of("go_on", "false"));
+    assertThat(third.status().phase()).isEqualTo(Phase.PAUSED);
+    third.resume();
+    assertThat(robot.reaches(third, Phase.SUCCEEDED, LONG)).as("%s", third.status()).isTrue();
+  }
+
+  @Test
+  void pausesAndKeepsWhatItHasAtAnEmergencyStop() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID goal = search.pursue(FIELD);
+    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    Object stopped = robot.drive.emergencyStop("a test");
+    assertThat(robot.reaches(search, Phase.PAUSED, 2)).as("%s", stopped).isTrue();
+    assertThat(search.status().doing())
+        .startsWith("its path was cancelled: its leg was cancelled: atrv1/drive is stopped");
+    Object released = robot.drive.releaseStop("a test");
+    double stood = robot.north;
+    robot.time.step(5);
+    assertThat(robot.north).as("%s", released).isEqualTo(stood);
+    search.resume();
+    assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
+    assertThat(search.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
+  void forgetsWhatIsCancelled() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID unused = search.pursue(FIELD);
+    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    search.cancel();
+    assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
+    robot.end(search);
+    assertThat(addSearch(Map.of()).status().phase()).isEqualTo(Phase.IDLE);
+  }
+
+  @Test
+  void beginsAfreshWhereWhatWasKeptIsGarbled() throws Exception {
+    String whole =
+        "region=48.0,11.0 48.0,11.0001 48.0001,11.0001\nswath=2\nspacing=1.6\nreversed=false\n"
+            + "reached=1\nphase=RUNNING\n";
+    for (String kept :
+        List.of(
+            "\u0000\u00ff",
+            "region=48.0,11.0 x\nreached=1",
+            "region=\\u00",
+            whole.replace("reached=1", "reached=-4"),
+            whole.replace("RUNNING", "SUCCEEDED"),
+            whole.replace("RUNNING", "DANCING"),
+            whole.replace("swath=2\n", ""),
+            whole.replace("48.0001,11.0001", "NaN,11"),
+            whole.replace("48.0,11.0001", "48.0,11.0"))) {
+      robot.states.put("raster_search", StateStore.inMemory());
+      robot.states.get("raster_search").write("raster", kept.getBytes(UTF_8));
+      RasterSearchImpl search = addSearch(Map.of());
+      assertThat(search.status().phase()).as(kept).isEqualTo(Phase.IDLE);
+      robot.end(search);
+    }
+    robot
+        .states
+        .get("raster_search")
+        .write("raster", whole.replace("=1\n", "=99\n").getBytes(UTF_8));
+    RasterSearchImpl search = addSearch(Map.of());
+    assertThat(search.status().phase())
+        .as("more than all: the last again")
+        .isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void refusesARegionThatIsNoneBeforeAnythingMoves() {
+    RasterSearchImpl search = addSearch(Map.of());
+    RasterGoal crossed =
+        new RasterGoal(List.of(at(1, 1), at(7, 9), at(7, 1), at(1, 9)), 2, 1.6, false);
+    assertThatThrownBy(() -> search.pursue(crossed)).isInstanceOf(GoalRefusedException.class);
+    assertThat(search.status().phase()).isEqualTo(Phase.IDLE);
+    assertThatThrownBy(() -> addSearch(Map.of("go_on", "perhaps")))
+        .hasMessage(
+            "code: atrv1/raster_search: parameter go_on is \"perhaps\", which is not true or"
+                + " false");
+    assertThat(robot.drive.told).isEmpty();
+  }
+
+  private static RasterGoal onAnotherContinent() {
+    return new RasterGoal(
+        List.of(at(1e6, 1), at(1e6 + 6, 1), at(1e6 + 6, 9), at(1e6, 9)), 2, 1.6, false);
+  }
+
+  @Test
+  void refusesARegionOnAnotherContinent() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of());
+    assertThatThrownBy(() -> search.pursue(onAnotherContinent()))
+        .isInstanceOf(GoalRefusedException.class)
+        .hasMessageContaining(" km from the robot at ");
+    assertThat(search.status().phase()).isEqualTo(Phase.IDLE);
+    robot.end(search);
+    RasterSearchImpl cautious = addSearch(Map.of("farthest", "5"));
+    assertThatThrownBy(
+            () ->
+                cautious.pursue(
+                    new RasterGoal(List.of(at(9, 1), at(19, 1), at(19, 9)), 2, 1.6, false)))
+        .hasMessageContaining("farther than 5.0 m");
+    assertThat(robot.drive.told).isEmpty();
+  }
+
+  @Test
+  void failsBeforeAnythingMovesWhereItDoesNotKnowYetHowFarTheRegionIs() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of("position", "elsewhere"));
+    UUID unused = search.pursue(onAnotherContinent());
+    assertThat(robot.reaches(search, Phase.FAILED, 2)).as("%s", search.status()).isTrue();
+    assertThat(search.status().doing()).contains("km from the robot at");
+    assertThat(robot.drive.told).isEmpty();
+  }
+}
