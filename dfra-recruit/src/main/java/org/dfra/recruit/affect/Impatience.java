@@ -1,0 +1,83 @@
+package org.dfra.recruit.affect;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.recruit.message.Conversation;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Motivation as in ALLIANCE: it grows with the time for which a call stays unanswered, at a rate
+ * that is slower the farther and the busier the robot is, and falls to 0 when somebody takes the
+ * task. Source of the idea: L. E. Parker, "ALLIANCE: an architecture for fault tolerant multirobot
+ * cooperation", IEEE Transactions on Robotics and Automation 14 (1998). Robots do not pre-empt each
+ * other here.
+ *
+ * <p>The first call that it hears in a conversation counts as if it had gone unanswered for as long
+ * as the usual interval of calls, and each further one for as long as it has been since the one
+ * before. What lies between two conversations is no waiting: somebody may have helped meanwhile,
+ * and the news of it may have been lost.
+ */
+public final class Impatience implements Affect {
+
+  private final double fastest;
+  private final double slowest;
+  private final double etaReference;
+  private final Duration first;
+  private double level;
+  private @Nullable Conversation last;
+  private Instant heard = Instant.MIN;
+
+  /**
+   * @param fastest seconds until an idle robot that is there already is moved, above 0
+   * @param slowest seconds until one at {@code etaReference} or beyond is, not less
+   * @param etaReference seconds, above 0
+   * @param first for how long the first call of a conversation counts
+   */
+  public Impatience(double fastest, double slowest, double etaReference, Duration first) {
+    if (!(fastest > 0 && slowest >= fastest && etaReference > 0)) {
+      throw new ConfigurationException(
+          "impatience of " + fastest + " to " + slowest + " s at " + etaReference + " s is none");
+    }
+    this.fastest = fastest;
+    this.slowest = slowest;
+    this.etaReference = etaReference;
+    this.first = first;
+  }
+
+  @Override
+  public double level() {
+    return level;
+  }
+
+  @Override
+  public void heard(Stimulus stimulus) {
+    boolean isFirst = !stimulus.conversation().equals(last);
+    Duration waited = isFirst ? first : Duration.between(heard, stimulus.time());
+    double share = Math.min(1, stimulus.etaSeconds() / etaReference);
+    double until = (fastest + (slowest - fastest) * share) * (stimulus.busy() ? 2 : 1);
+    level = Math.min(1, level + Math.max(0, waited.toNanos() / 1e9) / until);
+    last = stimulus.conversation();
+    heard = stimulus.time();
+  }
+
+  @Override
+  public void atone() {
+    reset();
+  }
+
+  @Override
+  public void relieve() {
+    reset();
+  }
+
+  private void reset() {
+    level = 0;
+    last = null;
+  }
+
+  @Override
+  public void restore(double kept) {
+    level = kept;
+  }
+}

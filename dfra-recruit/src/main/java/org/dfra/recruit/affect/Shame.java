@@ -1,0 +1,59 @@
+package org.dfra.recruit.affect;
+
+/**
+ * The growing shame of ignoring a call for help. With each call that it hears while it could help,
+ *
+ * <pre>
+ *   s &lt;- min(1, s + g b f max(ε, (1 - min(1, ETA / ETA_ref))^p))
+ * </pre>
+ *
+ * <p>and it offers to help once s is 1. b is 1 for an idle robot and less for a busy one. f is
+ * twice the usable charge, which is what the battery has above the reserve as a part of what a full
+ * one has above it: at most 1, and at least 0.2, so the liveness floor ε holds for all. It is back
+ * at 0 when it was chosen (atonement) or another was (relief). The idea is the thesis'; the
+ * equation and its constants are the project's own.
+ */
+public final class Shame implements Affect {
+
+  private static final double LEAST_BATTERY_FACTOR = 0.2;
+
+  private final ShameSettings settings;
+  private double level;
+
+  public Shame(ShameSettings settings) {
+    this.settings = settings;
+  }
+
+  @Override
+  public double level() {
+    return level;
+  }
+
+  @Override
+  public void heard(Stimulus stimulus) {
+    double nearness = 1 - Math.min(1, stimulus.etaSeconds() / settings.etaReference());
+    double want = Math.max(settings.floor(), Math.pow(nearness, settings.exponent()));
+    double work = stimulus.busy() ? settings.busy() : settings.idle();
+    level = Math.min(1, level + settings.gain() * work * batteryFactor(stimulus.battery()) * want);
+  }
+
+  private double batteryFactor(double battery) {
+    double usable = (battery - settings.reserve()) / (1 - settings.reserve());
+    return Math.max(LEAST_BATTERY_FACTOR, Math.min(1, 2 * usable));
+  }
+
+  @Override
+  public void atone() {
+    level = 0;
+  }
+
+  @Override
+  public void relieve() {
+    level = 0;
+  }
+
+  @Override
+  public void restore(double kept) {
+    level = kept;
+  }
+}

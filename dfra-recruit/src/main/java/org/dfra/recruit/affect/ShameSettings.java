@@ -1,0 +1,55 @@
+package org.dfra.recruit.affect;
+
+import org.dfra.core.config.ConfigurationException;
+
+/**
+ * The constants of {@link Shame}. The published equations are not available: these are the
+ * project's own.
+ *
+ * @param gain g, above 0
+ * @param exponent p, above 0: how much more the near ones are ashamed
+ * @param floor ε, above 0 and at most 1: also the farthest helps in the end
+ * @param idle b of a robot without work of its own, above 0
+ * @param busy b of one that has
+ * @param etaReference beyond it a place is as far as can be, seconds, above 0
+ * @param reserve charge from which down a robot counts least, 0 to 1; not that below which it helps
+ *     nobody
+ */
+public record ShameSettings(
+    double gain,
+    double exponent,
+    double floor,
+    double idle,
+    double busy,
+    double etaReference,
+    double reserve) {
+
+  /**
+   * The usual, for a field.
+   *
+   * @param diagonal of the field, metres
+   * @param speed of the robot, metres per second
+   */
+  public static ShameSettings usual(double diagonal, double speed) {
+    return new ShameSettings(1.5, 2, 0.1, 1, 0.5, diagonal / speed, 0.2);
+  }
+
+  public ShameSettings {
+    above("gain", gain);
+    above("exponent", exponent);
+    above("floor", floor);
+    above("idle", idle);
+    above("busy", busy);
+    above("etaReference", etaReference);
+    if (floor > 1 || !(reserve >= 0 && reserve < 1)) {
+      throw new ConfigurationException(
+          "floor " + floor + " is not at most 1, or reserve " + reserve + " is outside 0 to 1");
+    }
+  }
+
+  private static void above(String what, double value) {
+    if (!(value > 0 && Double.isFinite(value))) {
+      throw new ConfigurationException(what + " " + value + " is not above 0");
+    }
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * What moves a robot to help: {@link org.dfra.recruit.affect.Shame}, the project's own model, or
+ * {@link org.dfra.recruit.affect.Impatience} after ALLIANCE.
+ */
+@NullMarked
+package org.dfra.recruit.affect;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,56 @@
+package org.dfra.recruit.agent;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.dfra.agent.HelpCall;
+import org.dfra.geometry.GeoPosition;
+
+/**
+ * What an agent asks of its robot. Its methods do not block and do not call the agent back before
+ * they return; what takes its time is told to a {@link Journey}.
+ */
+public interface Body {
+
+  /** Is told how a journey went, once. */
+  interface Journey {
+
+    /** It is at the place. */
+    void arrived();
+
+    /** It will not get there; why, as a clause. */
+    void failed(String why);
+  }
+
+  /** Whether it can observe that. */
+  boolean canObserve(String percept);
+
+  /**
+   * Whether it may be asked at all: it can move, and nobody else has it stopped or sent anywhere.
+   * Work of its own that it would leave does not count.
+   */
+  boolean isFree();
+
+  /** Whether it has work of its own, which it would leave. */
+  boolean isBusy();
+
+  /** Whether that place is in the field in which its team works. */
+  boolean isInField(GeoPosition place);
+
+  /** How long it would take to be there; nothing where it does not know, or cannot get there. */
+  Optional<Duration> eta(GeoPosition place);
+
+  /** Charge left, 0 is empty, 1 is full; 1 where it does not know. */
+  double battery();
+
+  /** Leaves what it does, for later, and goes there. */
+  void go(HelpCall call, Journey journey);
+
+  /** Observes what it was called for; it is there. */
+  void observe(HelpCall call);
+
+  /**
+   * Ends the journey or the observing, and goes on with what it left; also what an earlier process
+   * began or left. Does nothing where there is nothing of that.
+   */
+  void resume();
+}

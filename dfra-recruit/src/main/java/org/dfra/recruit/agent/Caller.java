@@ -1,0 +1,185 @@
+package org.dfra.recruit.agent;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.lease.ModuleLease;
+import org.dfra.recruit.Step;
+import org.dfra.recruit.message.RecruitmentMessage;
+import org.dfra.recruit.requester.RequesterAction;
+import org.dfra.recruit.requester.RequesterMachine;
+import org.dfra.recruit.requester.RequesterState;
+import org.jspecify.annotations.Nullable;
+
+/** The half of an agent that asks others for help. Everything happens in the agent's turns. */
+final class Caller {
+
+  private final String robot;
+  private final RequesterMachine machine;
+  private final RecruiterPorts ports;
+  private final RecruiterListener listener;
+  private final Mail mail;
+  private final Runnable giveBack;
+  private final Runnable keep;
+  private RequesterState state;
+  private @Nullable ArrivalLease lease;
+  private String lost = ""; // who does not come after all, and why
+  private String ended = "it has asked for nothing yet";
+
+  /**
+   * @param giveBack is run, in no turn, where whoever has the lease gives it back
+   * @param keep is run where the state is another
+   */
+  Caller(
+      String robot,
+      RequesterMachine machine,
+      RequesterState state,
+      RecruiterPorts ports,
+      RecruiterListener listener,
+      Mail mail,
+      Runnable giveBack,
+      Runnable keep) {
+    this.robot = robot;
+    this.machine = machine;
+    this.state = state;
+    this.ports = ports;
+    this.listener = listener;
+    this.mail = mail;
+    this.giveBack = giveBack;
+    this.keep = keep;
+  }
+
+  RequesterState state() {
+    return state;
+  }
+
+  boolean isUnderWay() {
+    return state.phase().isUnderWay();
+  }
+
+  /** The robot that was chosen; null where none is. */
+  @Nullable String helper() {
+    return state.phase() == RequesterPhase.IDLE || state.winner() == null
+        ? null
+        : state.winner().robot();
+  }
+
+  Optional<ModuleLease> lease() {
+    return Optional.ofNullable(lease);
+  }
+
+  /** What it is at, in words. */
+  String doing() {
+    return switch (state.phase()) {
+      case IDLE -> ended;
+      case CALLING -> lost.isEmpty() ? "it asks who can come" : lost + "; it asks again";
+      case COLLECTING -> "it has an offer, and waits for others";
+      case AWARDED -> "it has chosen " + helper() + " and waits for it";
+      case ON_SITE -> helper() + " is there";
+      case DONE -> helper() + " helps it";
+    };
+  }
+
+  /** Goes on with what it was at when its process died. */
+  void start() {
+    if (state.phase() == RequesterPhase.DONE || state.phase() == RequesterPhase.ON_SITE) {
+      lease = new ArrivalLease(state.until(), ports.clock(), giveBack);
+    }
+  }
+
+  /**
+   * Calls for help.
+   *
+   * @throws HelpRefusedException where that cannot be
+   */
+  void call(HelpCall call) {
+    refuse(call);
+    lost = "";
+    take(machine.call(state, call, now()));
+  }
+
+  private void refuse(HelpCall call) {
+    if (isUnderWay()) {
+      throw new HelpRefusedException(
+          robot
+              + " already calls for help ("
+              + doing()
+              + "); release that first, or wait for its end");
+    }
+    if (!ports.body().isInField(call.place())) {
+      throw new HelpRefusedException(
+          String.format(
+              Locale.ROOT,
+              "%s cannot call anybody to %.6f°, %.6f°: that is outside the field; name a place"
+                  + " inside it",
+              robot,
+              call.place().latitude(),
+              call.place().longitude()));
+    }
+    if (ports.transport().capable(call.percept()).isEmpty()) {
+      List<String> known = ports.transport().percepts();
+      throw new HelpRefusedException(
+          "nobody in reach of "
+              + robot
+              + " can observe \""
+              + call.percept()
+              + "\""
+              + (known.isEmpty()
+                  ? "; nobody is there"
+                  : "; others observe " + String.join(", ", known)));
+    }
+  }
+
+  void release() {
+    take(machine.release(state, now()));
+  }
+
+  void hear(String sender, RecruitmentMessage message) {
+    take(machine.hear(state, sender, message, now()));
+  }
+
+  void tick() {
+    take(machine.tick(state, now()));
+  }
+
+  private Instant now() {
+    return ports.clock().instant();
+  }
+
+  private void take(Step<RequesterState, RequesterAction> step) {
+    boolean isNews = !step.state().equals(state);
+    state = step.state();
+    if (isNews) {
+      keep.run();
+    }
+    step.actions().forEach(this::act);
+  }
+
+  private void act(RequesterAction action) {
+    listener.did(action);
+    if (action instanceof RequesterAction.ToOne one) {
+      mail.toOne(one.robot(), one.message());
+    } else if (action instanceof RequesterAction.ToTeam team) {
+      mail.toTeam(team.percept(), team.message());
+    } else if (action instanceof RequesterAction.Hold hold) {
+      lease = new ArrivalLease(now().plus(hold.stay()), ports.clock(), giveBack);
+    } else if (action instanceof RequesterAction.Replace replace) {
+      endLease();
+      lost = replace.robot() + " " + replace.why();
+    } else if (action instanceof RequesterAction.End end) {
+      endLease();
+      ended = "its call has ended: " + end.why();
+    }
+  }
+
+  private void endLease() {
+    if (lease != null) {
+      lease.end();
+      lease = null;
+    }
+  }
+}

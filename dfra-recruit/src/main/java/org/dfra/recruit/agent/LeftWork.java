@@ -1,0 +1,88 @@
+package org.dfra.recruit.agent;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.rmi.RemoteException;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.NotReadyException;
+import org.slf4j.Logger;
+
+/**
+ * The searches that a robot has left to help, and goes on with afterwards, also where its process
+ * has died meanwhile. Confined to one thread.
+ */
+final class LeftWork {
+
+  private static final String DOCUMENT = "left-work";
+
+  private final ModuleContext context;
+  private final Logger log;
+  private final Set<String> left = new TreeSet<>(); // modules, by path
+
+  LeftWork(ModuleContext context, Logger log) {
+    this.context = context;
+    this.log = log;
+  }
+
+  /** Knows again what it has left in an earlier process. */
+  void recall() {
+    try {
+      Optional<byte[]> kept = context.state().read(DOCUMENT);
+      kept.ifPresent(text -> new String(text, StandardCharsets.UTF_8).lines().forEach(left::add));
+    } catch (IOException e) {
+      log.warn("{}: it does not know what it has left: {}", context.path(), e.toString());
+    }
+  }
+
+  private void keep() {
+    try {
+      context.state().write(DOCUMENT, String.join("\n", left).getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      log.warn("{}: its next process would not go on: {}", context.path(), e.toString());
+    }
+  }
+
+  /** Pauses those that run. */
+  void leave() {
+    for (ModuleListing<RasterSearch> search : searches()) {
+      try {
+        if (search.module().status().phase() == Phase.RUNNING) {
+          if (left.add(search.path())) {
+            keep(); // before it pauses: one that is only listed as left goes on as it did
+          }
+          search.module().pause();
+        }
+      } catch (RemoteException | NotReadyException e) {
+        log.warn("{}: {} cannot be paused: {}", context.path(), search.path(), e.toString());
+      }
+    }
+  }
+
+  /** Has those go on that it paused; tells whether all do. */
+  boolean goOn() {
+    for (ModuleListing<RasterSearch> search : searches()) {
+      if (left.contains(search.path())) {
+        try {
+          search.module().resume();
+          left.remove(search.path());
+          keep();
+        } catch (RemoteException | NotReadyException e) {
+          log.warn("{}: {} cannot go on yet: {}", context.path(), search.path(), e.toString());
+        }
+      }
+    }
+    return left.isEmpty();
+  }
+
+  private List<ModuleListing<RasterSearch>> searches() {
+    return context.directory().find(ModuleQuery.of(RasterSearch.class).robot(context.robot()));
+  }
+}

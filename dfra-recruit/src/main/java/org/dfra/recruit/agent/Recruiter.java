@@ -1,0 +1,254 @@
+package org.dfra.recruit.agent;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.lease.ModuleLease;
+import org.dfra.recruit.RecruitmentSettings;
+import org.dfra.recruit.message.Conversation;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.RecruitmentMessage;
+import org.dfra.recruit.requester.RequesterMachine;
+import org.dfra.recruit.requester.RequesterState;
+import org.dfra.recruit.strategy.RecruitmentStrategy;
+import org.dfra.recruit.transport.MessageMode;
+
+/**
+ * The agent of one robot: asks others for help, and helps. It wakes by itself when one of its two
+ * machines wants to do something though nothing happens.
+ *
+ * <p>Safe for use by any threads: one thing happens after the other. Its ports are called
+ * meanwhile, and neither block nor call back before they return.
+ */
+public final class Recruiter implements AutoCloseable {
+
+  /** After something that failed it wakes no sooner: what fails once may fail at once again. */
+  private static final Duration RECOVERY = Duration.ofSeconds(1);
+
+  private final String robot;
+  private final RecruiterPorts ports;
+  private final RecruitmentStrategy strategy;
+  private final RecruiterListener listener;
+  private final Caller caller;
+  private final Helper helper;
+  private final Alarm alarm;
+
+  private final Turns turns = new Turns();
+  private boolean isOver; // changed in turns only
+  private String doing; // likewise; what was news last
+  private String callersNews; // likewise
+  private String helpersNews; // likewise
+  private volatile RecruitmentStatus status;
+
+  /**
+   * @param robot its name, by which others write to it
+   * @param strategy its own, shared with nobody
+   * @param kept what it was at when its process died; nothing for a fresh start
+   */
+  public Recruiter(
+      String robot,
+      RecruitmentSettings settings,
+      RecruitmentStrategy strategy,
+      MessageMode mode,
+      RecruiterPorts ports,
+      RecruiterListener listener,
+      Optional<AgentSnapshot> kept) {
+    this.robot = robot;
+    this.ports = ports;
+    this.strategy = strategy;
+    this.listener = listener;
+    this.alarm = new Alarm(ports, this::wake);
+    Mail mail = new Mail(robot, mode, ports, listener);
+    Runnable keep = () -> listener.keep(kept());
+    this.caller =
+        new Caller(
+            robot,
+            new RequesterMachine(settings, strategy),
+            kept.map(AgentSnapshot::requester)
+                .orElseGet(
+                    () -> // greater than any number of an earlier life that nobody remembers
+                    RequesterState.idle(new Conversation(robot, ports.clock().millis()))),
+            ports,
+            listener,
+            mail,
+            this::release,
+            keep);
+    this.helper =
+        new Helper(
+            robot,
+            settings,
+            strategy,
+            ports,
+            listener,
+            this::post,
+            mail::toOne,
+            caller::isUnderWay,
+            keep);
+    kept.ifPresent(
+        snapshot -> {
+          helper.restore(snapshot.responder());
+          strategy.restore(snapshot.urge());
+        });
+    this.callersNews = caller.doing();
+    this.helpersNews = helper.doing();
+    this.doing = helpersNews;
+    this.status = saying();
+  }
+
+  /** Goes on with what it was at when its process died. */
+  public void start() {
+    turns.take(
+        () -> {
+          caller.start();
+          helper.start();
+          afterwards(Instant.MIN);
+        });
+  }
+
+  /** Says nothing any more. Who helps, or is helped, learns by leases and time-outs. */
+  @Override
+  public void close() {
+    turns.take(
+        () -> {
+          isOver = true;
+          alarm.set(Instant.MAX);
+        });
+  }
+
+  /**
+   * Calls for help.
+   *
+   * @throws HelpRefusedException as told there
+   */
+  public void help(HelpCall call) {
+    turns.take(
+        () -> {
+          if (isOver) {
+            throw new HelpRefusedException(robot + "'s agent has ended; ask the next one");
+          }
+          happen(() -> caller.call(call));
+        });
+  }
+
+  /** Gives the call up, and lets the helper go. */
+  public void release() {
+    post(caller::release);
+  }
+
+  /** Takes what another agent has sent. */
+  public void receive(Letter letter) {
+    post(
+        () -> {
+          listener.heard(letter);
+          RecruitmentMessage message = letter.message();
+          if (message.conversation().requester().equals(robot)) {
+            caller.hear(letter.sender(), message);
+          } else if (message.conversation().requester().equals(letter.sender())) {
+            helper.hear(message);
+          } // else somebody speaks in another's name
+        });
+  }
+
+  /** The lease on the helper; nothing where there is none. */
+  public Optional<ModuleLease> lease() {
+    return turns.give(caller::lease);
+  }
+
+  /** What it is at. */
+  public RecruitmentStatus status() {
+    return status;
+  }
+
+  /** What of it is to outlive its process. */
+  public AgentSnapshot snapshot() {
+    return turns.give(this::kept);
+  }
+
+  private AgentSnapshot kept() {
+    return new AgentSnapshot(caller.state(), helper.state(), strategy.urge());
+  }
+
+  private void post(Runnable event) {
+    turns.take(
+        () -> {
+          if (!isOver) {
+            happen(event);
+          }
+        });
+  }
+
+  private void happen(Runnable event) {
+    Instant notBefore = ports.clock().instant().plus(RECOVERY);
+    try {
+      event.run();
+      notBefore = Instant.MIN;
+    } catch (HelpRefusedException e) { // nothing has happened
+      notBefore = Instant.MIN;
+      throw e;
+    } finally { // also where a strategy of somebody's own has failed
+      afterwards(notBefore);
+    }
+  }
+
+  /** After each turn: wakes when it must, and says what it is at. */
+  private void afterwards(Instant notBefore) {
+    Instant wanted = caller.state().wake();
+    Instant helping = helper.state().wake();
+    Instant due = wanted.isBefore(helping) ? wanted : helping;
+    alarm.set(isOver ? Instant.MAX : due.isBefore(notBefore) ? notBefore : due);
+    if (!caller.doing().equals(callersNews)) {
+      callersNews = caller.doing();
+      doing = callersNews;
+    }
+    if (!helper.doing().equals(helpersNews)) {
+      helpersNews = helper.doing();
+      doing = helpersNews;
+    }
+    RecruitmentStatus fresh = saying();
+    RecruitmentStatus last = status;
+    status = fresh;
+    if (fresh.urge() != last.urge()) {
+      listener.keep(kept()); // it may have changed after the state was kept
+    }
+    if (fresh.requester() != last.requester()
+        || fresh.responder() != last.responder()
+        || fresh.urge() != last.urge()) {
+      listener.changed(fresh);
+    }
+  }
+
+  private void wake() {
+    post(
+        () -> {
+          alarm.rang();
+          try {
+            caller.tick();
+          } finally { // whoever helps is freed by time, whatever becomes of its own call
+            helper.tick();
+          }
+        });
+  }
+
+  private RecruitmentStatus saying() {
+    return new RecruitmentStatus(
+        ports.clock().instant(),
+        caller.state().phase(),
+        caller.helper(),
+        helper.state().phase(),
+        helper.helped(),
+        strategy.urge(),
+        helper.state().phase() != ResponderPhase.FREE
+            ? helper.doing()
+            : caller.state().phase() != RequesterPhase.IDLE ? caller.doing() : doing);
+  }
+
+  @Override
+  public String toString() {
+    return "agent of " + robot;
+  }
+}

@@ -1,0 +1,279 @@
+package org.dfra.recruit.agent;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import org.dfra.agent.AgentMessage;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
+import org.dfra.persona.RecruitmentAttributes;
+import org.dfra.recruit.RecruitmentSettings;
+import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.SentLetter;
+import org.dfra.recruit.requester.RequesterAction;
+import org.dfra.recruit.responder.ResponderAction;
+import org.dfra.recruit.strategy.RecruitmentStrategy;
+import org.dfra.recruit.strategy.Strategies;
+import org.dfra.recruit.transport.MessageMode;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The recruitment agent of a robot: a {@link Recruiter} on the robot's own modules. It keeps what
+ * it is at, and goes on with it when its process has died.
+ *
+ * <p>Parameters, read at the start:
+ *
+ * <ul>
+ *   <li>{@code percepts}: what its robot can observe, separated by commas; none where it is not set
+ *   <li>{@code strategy}: {@code affective}, {@code greedy}, {@code random}, {@code contract-net},
+ *       or the name of a class ({@link Strategies}); default {@code affective}. {@code affect}:
+ *       {@code shame} or {@code impatience}; default {@code shame}
+ *   <li>{@code shame_gain}, {@code shame_exponent}, {@code shame_floor}, {@code shame_idle}, {@code
+ *       shame_busy}: the constants of {@link ShameSettings}, 0.01 to 100, 0.01 to 10, 0.001 to 1,
+ *       and 0.01 to 10 twice. {@code eta_reference}: beyond it a place is as far as can be,
+ *       seconds, 0.1 to 86400; default the field's diagonal divided by {@code speed}
+ *   <li>{@code impatience_fastest}, {@code impatience_slowest}: after how long an unanswered call
+ *       moves an idle robot that is there already, and one at {@code eta_reference}, seconds, 0.1
+ *       to 3600; default 5 and 30
+ *   <li>{@code random_chance}: that a free robot offers, where it does by lot, 0.01 to 1; default
+ *       0.5
+ *   <li>{@code window}: for how long it awaits other offers after the first, seconds, 0.1 to 10 and
+ *       below {@code replace_after} less {@code margin}; default what its strategy says
+ *   <li>{@code messages}: {@code broadcast} or {@code unicast}; default {@code broadcast}
+ *   <li>{@code speed}: how fast it gets anywhere, metres per second, 0.01 to 50; default 0.5.
+ *       {@code detour}: how much longer its ways are than straight ones, 1 to 10; default 1.2. ETA
+ *       is the straight distance times {@code detour}, divided by {@code speed}: write what it
+ *       truly drives, or it turns back as a late one
+ *   <li>{@code field}: two corners, south-west and north-east, latitude,longitude each; it goes
+ *       nowhere else, and calls nobody there. Everywhere where it is not set
+ *   <li>{@code tolerance}: how near a place is near enough, metres, 0.05 to 20; default 1
+ *   <li>{@code reserve}: charge below which it helps nobody, 0 to 0.99; default 0.1
+ *   <li>{@code longest_stay}: for how long it helps one call at most, seconds, 1 to 86400; default
+ *       600
+ *   <li>{@code go_to_waypoint}: name of the module that drives it; any of its robot where not set
+ *   <li>{@code help_every}, {@code help_rounds}, {@code replace_after}, {@code margin}, {@code
+ *       repeat_every}, {@code accept_sends}, {@code arrival_sends}, {@code agree_every}, {@code
+ *       release_every}: those of {@link RecruitmentSettings}, spans in seconds, 0.1 to 3600, and
+ *       counts, 1 to 100. Robots of a team that differ in {@code replace_after} or {@code margin}
+ *       warn of each other
+ * </ul>
+ */
+public final class RecruitmentAgentImpl extends ModuleImpl implements RecruitmentAgent, Described {
+
+  private static final Duration SHORTEST_STAY = Duration.ofSeconds(1);
+
+  private final ModuleContext context;
+  private final RobotTraits traits;
+  private final RecruitmentSettings timeOuts;
+  private final RecruitmentStrategy strategy;
+  private final MessageMode mode;
+  private final RobotBody body;
+  private final DirectoryTransport transport;
+  private final AgentMemory memory;
+  private final TeamAgreement agreement;
+  private final RecruiterListener extra;
+  private volatile @Nullable Recruiter recruiter;
+
+  /** See {@link ModuleImpl}. */
+  public RecruitmentAgentImpl(ModuleContext context) {
+    this(context, new RecruiterListener() {});
+  }
+
+  /**
+   * The same, watched: for reports and tests.
+   *
+   * @param extra hears of everything that it does
+   */
+  public RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra) {
+    super(lasting(context), "asks other robots for help, and helps", "DFRA", "1");
+    this.context = context;
+    this.extra = extra;
+    this.traits = RobotTraits.of(settings());
+    this.timeOuts = TimeOuts.of(settings());
+    this.strategy =
+        Motives.of(
+            settings(),
+            traits,
+            timeOuts.helpEvery(),
+            new SplittableRandom(context.path().hashCode() ^ clock().millis()));
+    String messages = settings().find("messages").orElse("broadcast").strip();
+    if (!messages.equals("broadcast") && !messages.equals("unicast")) {
+      throw settings().fault("messages", "broadcast or unicast", null);
+    }
+    this.mode = messages.equals("unicast") ? MessageMode.UNICAST : MessageMode.BROADCAST;
+    this.body = new RobotBody(context, traits, log);
+    this.transport = new DirectoryTransport(context, log);
+    this.memory = new AgentMemory(context.state());
+    this.agreement = new TeamAgreement(context, said(), log);
+    declared()
+        .show(
+            "disagreements",
+            "robots of the team that wait for another time before they replace a helper",
+            () -> String.join("; ", new TreeMap<>(agreement.disagreements()).values()));
+  }
+
+  /** Who is helped holds a lease for as long as the stay, which is longer than others are. */
+  private static ModuleContext lasting(ModuleContext context) {
+    Duration stay =
+        context
+            .parameters()
+            .seconds("longest_stay", Duration.ofMinutes(10), SHORTEST_STAY, Duration.ofDays(1));
+    LeaseTerms terms = context.leases();
+    Duration usual = terms.usual().compareTo(stay) < 0 ? terms.usual() : stay;
+    return context.with(new LeaseTerms(stay, usual));
+  }
+
+  @Override
+  protected void onStart() {
+    body.start();
+    Optional<AgentSnapshot> kept = Optional.empty();
+    try {
+      kept = memory.recall();
+    } catch (IOException e) {
+      log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
+      survived(e);
+    }
+    Recruiter made =
+        new Recruiter(
+            context.robot(),
+            timeOuts,
+            strategy,
+            mode,
+            new RecruiterPorts(
+                transport,
+                body,
+                leases(),
+                new SteadyClock(clock(), context.robotTime()),
+                context.robotTime()),
+            new Teller(),
+            kept);
+    recruiter = made;
+    become(Readiness.READY);
+    made.start();
+    agreement.start();
+  }
+
+  @Override
+  protected void onClose() {
+    agreement.close();
+    Recruiter made = recruiter;
+    if (made != null) {
+      made.close();
+    }
+    transport.close();
+    body.close();
+  }
+
+  private Recruiter serving() {
+    Recruiter made = recruiter;
+    if (made == null || !readiness().serves()) {
+      throw new NotReadyException(path(), readiness(), "it cannot recruit anybody now");
+    }
+    return made;
+  }
+
+  @Override
+  public void help(HelpCall call) {
+    serving().help(call);
+  }
+
+  @Override
+  public void release() {
+    serving().release();
+  }
+
+  @Override
+  public RecruitmentStatus status() {
+    Recruiter made = recruiter;
+    return made == null
+        ? new RecruitmentStatus(
+            clock().instant(),
+            RequesterPhase.IDLE,
+            null,
+            ResponderPhase.FREE,
+            null,
+            0,
+            "it has not begun yet")
+        : made.status();
+  }
+
+  @Override
+  public void receive(AgentMessage message) {
+    if (!(message instanceof Letter letter)) {
+      throw new IllegalArgumentException(
+          path() + " takes letters of recruitment, not " + message.getClass().getName());
+    }
+    serving().receive(letter);
+  }
+
+  @Override
+  public List<Attributes> attributes() {
+    return List.of(said());
+  }
+
+  private RecruitmentAttributes said() {
+    return new RecruitmentAttributes(
+        traits.percepts(),
+        traits.speed(),
+        strategy.name(),
+        timeOuts.replaceAfter().toMillis() / 1000.0,
+        timeOuts.margin().toMillis() / 1000.0);
+  }
+
+  /** Tells listeners, and keeps what is to be kept. */
+  private final class Teller implements RecruiterListener {
+
+    @Override
+    public void keep(AgentSnapshot snapshot) {
+      try {
+        memory.keep(snapshot);
+      } catch (IOException e) {
+        log.warn("{}: the next process would not know what it is at: {}", path(), e.toString());
+        survived(e);
+      }
+      extra.keep(snapshot);
+    }
+
+    @Override
+    public void changed(RecruitmentStatus status) {
+      log.info("{}: {} / {}: {}", path(), status.requester(), status.responder(), status.doing());
+      tell(status);
+      extra.changed(status);
+    }
+
+    @Override
+    public void sent(String to, Letter letter) {
+      tell(new SentLetter(letter.time(), to, letter));
+      extra.sent(to, letter);
+    }
+
+    @Override
+    public void heard(Letter letter) {
+      extra.heard(letter);
+    }
+
+    @Override
+    public void did(RequesterAction action) {
+      extra.did(action);
+    }
+
+    @Override
+    public void did(ResponderAction action) {
+      extra.did(action);
+    }
+  }
+}

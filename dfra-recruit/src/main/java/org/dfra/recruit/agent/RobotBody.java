@@ -1,0 +1,162 @@
+package org.dfra.recruit.agent;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.dfra.agent.HelpCall;
+import org.dfra.behavior.LegGoal;
+import org.dfra.core.chain.Errands;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.geometry.GeoPosition;
+import org.slf4j.Logger;
+
+/**
+ * A robot by its own modules: its {@link Senses} tell where it is and how much charge it has, a
+ * {@link Trip} takes it to the place, and its {@link LeftWork} is what it leaves and resumes. What
+ * its modules are told is told on a thread of its own, {@code dfra-body robot/name}.
+ */
+final class RobotBody implements Body, AutoCloseable {
+
+  /** How long its end waits until the robot has been told to stand. */
+  private static final long PATIENCE_MILLIS = 2000;
+
+  private final RobotTraits traits;
+  private final Senses senses;
+  private final Errands errands;
+  private final Trip trip; // by errands only
+  private final LeftWork work; // by errands only
+  private volatile boolean isAway; // to help, or on its way; written by errands only
+  private final AtomicBoolean isClosed = new AtomicBoolean();
+  private boolean isRetrying; // by errands only; to go on with its work
+
+  RobotBody(ModuleContext context, RobotTraits traits, Logger log) {
+    this.traits = traits;
+    this.senses = new Senses(context, log);
+    this.errands = new Errands("dfra-body " + context.path(), context.robotTime());
+    this.work = new LeftWork(context, log);
+    this.trip = new Trip(context, errands, work::leave, log);
+  }
+
+  void start() {
+    errands.now(
+        () -> {
+          work.recall();
+          trip.recall();
+        });
+    senses.start();
+  }
+
+  /**
+   * {@inheritDoc} The robot stands then. Where its modules hold that up for too long, the next
+   * process of the agent has it stand, or goes on.
+   */
+  @Override
+  public void close() {
+    if (isClosed.getAndSet(true)) {
+      return;
+    }
+    senses.close();
+    trip.close();
+    CountDownLatch stands = new CountDownLatch(1);
+    errands.now(
+        () -> {
+          trip.end();
+          stands.countDown();
+        });
+    try {
+      boolean unused = stands.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    errands.close();
+  }
+
+  @Override
+  public boolean canObserve(String percept) {
+    return traits.percepts().contains(percept);
+  }
+
+  /**
+   * One that knows where it is, has charge left, is not stopped for an emergency, and is not sent
+   * anywhere by others may be asked. What drives it while it helps, or for its search, is its own.
+   */
+  @Override
+  public boolean isFree() {
+    return senses.pose() != null
+        && battery() > traits.reserve()
+        && !senses.isStopped()
+        && (isAway || senses.isSearching() || !senses.isDriven());
+  }
+
+  @Override
+  public boolean isBusy() {
+    return senses.isSearching();
+  }
+
+  @Override
+  public boolean isInField(GeoPosition place) {
+    return traits.isInField(place);
+  }
+
+  /** {@inheritDoc} By the robot's description alone; what drives it is not asked. */
+  @Override
+  public Optional<Duration> eta(GeoPosition place) {
+    PoseEstimate here = senses.pose();
+    if (here == null) {
+      return Optional.empty();
+    }
+    double seconds = here.position().groundDistance(place) * traits.detour() / traits.speed();
+    return Optional.of(Duration.ofNanos((long) (seconds * 1e9)));
+  }
+
+  @Override
+  public double battery() {
+    return senses.battery();
+  }
+
+  @Override
+  public void go(HelpCall call, Journey told) {
+    errands.now(
+        () -> {
+          isAway = true;
+          work.leave();
+          trip.begin(new LegGoal(null, call.place(), traits.tolerance()), told);
+        });
+  }
+
+  /** It stands where it is: its sensors see what is there. */
+  @Override
+  public void observe(HelpCall call) {
+    errands.now(
+        () -> {
+          isAway = true;
+          trip.end();
+        });
+  }
+
+  @Override
+  public void resume() {
+    errands.now(
+        () -> {
+          isAway = false;
+          trip.end();
+          goOn();
+        });
+  }
+
+  /** Tries again where a search does not answer, until it is called away. */
+  private void goOn() {
+    if (!isAway && !work.goOn() && !isRetrying) {
+      isRetrying = true;
+      errands.later(
+          2 * Trip.LOOK_NANOS,
+          () -> {
+            isRetrying = false;
+            goOn();
+          });
+    }
+  }
+}

@@ -1,0 +1,211 @@
+package org.dfra.recruit.agent;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.rmi.RemoteException;
+import java.util.Optional;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behavior.LegGoal;
+import org.dfra.core.behavior.Delegation;
+import org.dfra.core.chain.Errands;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
+import org.dfra.core.state.StateStore;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
+import org.dfra.recruit.agent.Body.Journey;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * A robot's way to a place by its {@link GoToWaypoint}: begun as soon as that obeys, looked at
+ * twice a second, and told of at its end. Confined to the thread of the errands, but for {@link
+ * #close}.
+ *
+ * <p>What drives is another process, which does not end with this one. So the name of what was
+ * begun is kept, and the next process either follows it, or ends it. It cannot where this one dies
+ * within the milliseconds between the beginning and the writing.
+ */
+final class Trip {
+
+  /** How long it waits before it looks again. */
+  static final long LOOK_NANOS = 500_000_000;
+
+  private static final String DOCUMENT = "trip";
+
+  /**
+   * What an earlier process has begun.
+   *
+   * @param goal its name
+   * @param place where to, as text
+   */
+  private record Begun(UUID goal, String place) {}
+
+  private final String path;
+  private final StateStore state;
+  private final Errands errands;
+  private final Delegation<LegGoal, GoToWaypoint> travel;
+  private final Runnable leave;
+  private final Logger log;
+  private @Nullable Journey journey;
+  private @Nullable LegGoal aim; // of the last journey
+  private @Nullable Begun inherited; // until it is known whether that is still under way
+  private boolean isKept; // that one was begun
+  private boolean isResting; // as soon as it can
+  private volatile boolean isOver;
+
+  /**
+   * @param leave leaves what the robot is at, where that still holds what drives
+   */
+  Trip(ModuleContext context, Errands errands, Runnable leave, Logger log) {
+    this.path = context.path();
+    this.state = context.state();
+    this.errands = errands;
+    this.leave = leave;
+    this.log = log;
+    this.travel =
+        new Delegation<>(
+            path, Needed.of(context, GoToWaypoint.class, "go_to_waypoint"), errands, log);
+  }
+
+  /** Knows again what was begun in an earlier process. */
+  void recall() {
+    try {
+      String text = new String(state.read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
+      int line = text.indexOf('\n');
+      if (line > 0) {
+        inherited = new Begun(UUID.fromString(text.substring(0, line)), text.substring(line + 1));
+        isKept = true;
+      }
+    } catch (IOException | IllegalArgumentException e) {
+      log.warn("{}: it does not know where it was going: {}", path, e.toString());
+    }
+  }
+
+  private void keep(String text) {
+    try {
+      state.write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
+      isKept = !text.isEmpty();
+    } catch (IOException e) {
+      log.warn("{}: its next process would not know where it is going: {}", path, e.toString());
+    }
+  }
+
+  private void forget() {
+    if (isKept) {
+      keep("");
+    }
+  }
+
+  /** Takes over what was begun in an earlier process, unless that led elsewhere: then ends it. */
+  private void inherit(@Nullable GeoPosition place) throws RemoteException {
+    Begun last = inherited;
+    if (last == null) {
+      return;
+    }
+    boolean isAtIt = travel.adopt(last.goal());
+    inherited = null;
+    if (isAtIt && (place == null || !last.place().equals(place.toString()))) {
+      travel.end();
+    }
+  }
+
+  /** Goes there, and nowhere else any more. */
+  void begin(LegGoal goal, Journey told) {
+    if (!goal.equals(aim)) {
+      travel.end();
+    }
+    aim = goal;
+    journey = told;
+    look(goal, told);
+  }
+
+  /** Begins the journey where it has not begun, and looks how far it is, until it has ended. */
+  private void look(LegGoal goal, Journey of) {
+    if (journey != of || isOver) {
+      return; // it was told to do something else
+    }
+    try {
+      inherit(goal.to());
+      Optional<BehaviorStatus> status = travel.status();
+      if (status.isEmpty()) {
+        begun(goal, of);
+      } else if (hasEnded(status.get(), of)) {
+        return;
+      }
+    } catch (RemoteException | NotReadyException e) {
+      log.info("{}: it waits: {}", path, e.toString());
+    }
+    errands.later(LOOK_NANOS, () -> look(goal, of));
+  }
+
+  private void begun(LegGoal goal, Journey of) throws RemoteException {
+    try {
+      travel.begin(goal);
+      travel.goal().ifPresent(name -> keep(name + "\n" + goal.to()));
+    } catch (GoalRefusedException e) {
+      if (e.isBusy()) {
+        leave.run(); // again: it may not have answered, or not been found
+      } else {
+        journey = null;
+        of.failed(String.valueOf(e.getMessage()));
+      }
+    }
+  }
+
+  /** Where it has, the agent is told. */
+  private boolean hasEnded(BehaviorStatus status, Journey of) {
+    if (status.phase().isUnderWay()) {
+      return false;
+    }
+    travel.forget();
+    forget();
+    journey = null;
+    if (status.phase() == Phase.SUCCEEDED) {
+      of.arrived();
+    } else {
+      of.failed(status.doing());
+    }
+    return true;
+  }
+
+  /** It stands where it is, and nobody is told. */
+  void end() {
+    journey = null;
+    rest();
+  }
+
+  /** Tries again where what drives does not answer, until there is another journey. */
+  private void rest() {
+    if (journey != null) {
+      return;
+    }
+    travel.end();
+    try {
+      inherit(null);
+      if (!travel.isLoose()) {
+        forget();
+      }
+    } catch (RemoteException | NotReadyException e) {
+      log.debug("{}: it does not know yet whether it still drives: {}", path, e.toString());
+      if (!isResting) {
+        isResting = true;
+        errands.later(
+            LOOK_NANOS,
+            () -> {
+              isResting = false;
+              rest();
+            });
+      }
+    }
+  }
+
+  /** Begins nothing any more; by any thread. */
+  void close() {
+    isOver = true;
+  }
+}

@@ -1,0 +1,214 @@
+package org.dfra.recruit.experiment;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.IntConsumer;
+import java.util.random.RandomGenerator;
+import org.dfra.agent.HelpCall;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.recruit.agent.Body;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot in the field. It stands, follows a raster route, or drives in a straight line; on a
+ * journey it is a little slower than it expects, since wheels slip. A scanner that was called away
+ * drives back to where it left its route and goes on there; others stay where they are.
+ *
+ * <p>Safe for use by several threads. Whoever is told that it has arrived is told without a lock.
+ */
+final class FieldRobot implements Body {
+
+  /** Metres per second, of a ground vehicle. */
+  static final double SPEED = 1;
+
+  private static final double SLIP = 0.03; // standard deviation of the share a journey takes longer
+
+  private final Scheduler time;
+  private final Set<String> percepts;
+  private final double speed;
+  private final RandomGenerator lot;
+  private final @Nullable RasterRoute route;
+
+  // All that follows is guarded by this.
+  private double way; // metres along the route, when it was last on it
+  private boolean isScanning;
+  private Point from; // where it began to drive, or stands
+  private Point to;
+  private double since; // seconds: when it began to drive, or to follow the route
+  private double lasts; // seconds that the drive takes
+  private Scheduler.@Nullable Task journey;
+  private int drives; // so far; the number of the one under way
+  private boolean isAlive = true;
+  private double travelled;
+  private double lost;
+  private double leftRouteAt;
+
+  /**
+   * @param route that it scans along; null for one that stands
+   * @param begin where it stands, or metres along its route, as {@code east}
+   */
+  FieldRobot(
+      Scheduler time,
+      Set<String> percepts,
+      double speed,
+      RandomGenerator lot,
+      @Nullable RasterRoute route,
+      Point begin) {
+    this.time = time;
+    this.percepts = percepts;
+    this.speed = speed;
+    this.lot = lot;
+    this.route = route;
+    this.isScanning = route != null;
+    this.way = route == null ? 0 : begin.east();
+    this.from = route == null ? begin : route.at(begin.east());
+    this.to = from;
+    this.since = seconds();
+  }
+
+  private double seconds() {
+    return time.nanos() / 1e9;
+  }
+
+  /** Where it is. */
+  synchronized Point position() {
+    RasterRoute along = route;
+    if (isScanning && along != null) {
+      return along.at(way + (seconds() - since) * speed);
+    }
+    double share = lasts == 0 ? 1 : Math.min(1, (seconds() - since) / lasts);
+    return from.towards(to, share);
+  }
+
+  /** What it drove for others and back, metres. */
+  synchronized double travelled() {
+    return travelled;
+  }
+
+  /** For how long it was away from its route, seconds. */
+  synchronized double rasterTimeLost() {
+    return lost + (route != null && !isScanning ? seconds() - leftRouteAt : 0);
+  }
+
+  /** It stands still for good, and nobody is told. */
+  synchronized void die() {
+    stand();
+    isAlive = false;
+  }
+
+  /** Seconds to a place. */
+  synchronized double seconds(Point place) {
+    return position().distance(place) / speed;
+  }
+
+  @Override
+  public boolean canObserve(String percept) {
+    return percepts.contains(percept);
+  }
+
+  @Override
+  public synchronized boolean isFree() {
+    return isAlive;
+  }
+
+  @Override
+  public boolean isBusy() {
+    return route != null;
+  }
+
+  @Override
+  public boolean isInField(GeoPosition place) {
+    return Field.contains(Field.toField(place));
+  }
+
+  @Override
+  public Optional<Duration> eta(GeoPosition place) {
+    return Optional.of(Duration.ofNanos((long) (seconds(Field.toField(place)) * 1e9)));
+  }
+
+  @Override
+  public double battery() {
+    return 1;
+  }
+
+  @Override
+  public synchronized void go(HelpCall call, Journey told) {
+    leaveRoute();
+    drive(Field.toField(call.place()), number -> told.arrived());
+  }
+
+  private void leaveRoute() {
+    if (isScanning) {
+      double now = seconds();
+      way += (now - since) * speed;
+      since = now;
+      leftRouteAt = now;
+    }
+  }
+
+  private void drive(Point target, IntConsumer there) {
+    Point here = position();
+    stand();
+    isScanning = false;
+    from = here;
+    to = target;
+    since = seconds();
+    lasts = here.distance(target) / speed * (1 + SLIP * Math.abs(lot.nextGaussian()));
+    travelled += here.distance(target);
+    int number = ++drives;
+    journey =
+        time.after(
+            Math.round(lasts * 1e9),
+            () -> {
+              if (isUnderWay(number)) {
+                there.accept(number);
+              }
+            });
+  }
+
+  /** Whether that drive is not over, and was not given up when its end was about to be told. */
+  private synchronized boolean isUnderWay(int number) {
+    return isAlive && number == drives;
+  }
+
+  private void stand() {
+    if (journey != null) {
+      journey.cancel();
+      drives++;
+    }
+    Point here = position();
+    double left = isScanning || lasts == 0 ? 0 : here.distance(to);
+    travelled -= left; // counted when it set out
+    if (!isScanning) {
+      from = here;
+      to = here;
+      lasts = 0;
+    }
+  }
+
+  @Override
+  public synchronized void observe(HelpCall call) {
+    stand();
+  }
+
+  @Override
+  public synchronized void resume() {
+    RasterRoute along = route;
+    if (along == null) {
+      stand();
+    } else if (!isScanning) {
+      drive(along.at(way), this::scanAgain);
+    }
+  }
+
+  private synchronized void scanAgain(int number) {
+    if (number != drives) {
+      return; // it was called away just now
+    }
+    lost += seconds() - leftRouteAt;
+    isScanning = true;
+    since = seconds();
+  }
+}

@@ -1,0 +1,109 @@
+package org.dfra.recruit.experiment;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SplittableRandom;
+import org.dfra.agent.HelpCall;
+import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.recruit.RecruitmentSettings;
+import org.dfra.recruit.agent.Recruiter;
+import org.dfra.recruit.agent.RecruiterListener;
+import org.dfra.recruit.agent.RecruiterPorts;
+import org.dfra.recruit.loss.LossModel;
+import org.dfra.recruit.strategy.Greedy;
+import org.dfra.recruit.transport.MeasuredDelays;
+import org.dfra.recruit.transport.MessageMode;
+import org.dfra.recruit.transport.Passage;
+import org.dfra.recruit.transport.SimulatedNetwork;
+import org.dfra.recruit.transport.VirtualTime;
+
+/**
+ * How many messages agents in one virtual machine exchange in a second of real time, over the
+ * simulated network. Every tenth calls for help, again and again; the others answer.
+ */
+public final class MessageRate {
+
+  /**
+   * What was measured.
+   *
+   * @param delivered messages that were sent, carried and answered
+   * @param seconds of real time
+   */
+  public record Result(int agents, long delivered, double seconds) {
+
+    /** Messages in a second. */
+    public double rate() {
+      return delivered / seconds;
+    }
+  }
+
+  private static final int CALLER_EVERY = 10;
+
+  private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
+  private final SplittableRandom lot = new SplittableRandom(1);
+  private final SimulatedNetwork network =
+      new SimulatedNetwork(time, Passage.of(LossModel.none(), MeasuredDelays.ofLetters(), lot));
+  private final List<Recruiter> callers = new ArrayList<>();
+  private final int agents;
+
+  private MessageRate(int agents) {
+    this.agents = agents;
+    for (int i = 0; i < agents; i++) {
+      Recruiter agent = agent("robot" + i, i % CALLER_EVERY == 0);
+      if (i % CALLER_EVERY == 0) {
+        callers.add(agent);
+      }
+    }
+  }
+
+  private Recruiter agent(String name, boolean calls) {
+    Set<String> percepts = calls ? Set.of() : Set.of("mine");
+    Point begin = new Point(100 * lot.nextDouble(), 100 * lot.nextDouble());
+    FieldRobot body = new FieldRobot(time, percepts, 1, lot.split(), null, begin);
+    Recruiter agent =
+        new Recruiter(
+            name,
+            RecruitmentSettings.USUAL,
+            new Greedy(),
+            MessageMode.BROADCAST,
+            new RecruiterPorts(
+                network.port(name),
+                body,
+                new LeaseBook(name, LeaseTerms.USUAL, time, time, clients -> {}),
+                time,
+                time),
+            new RecruiterListener() {},
+            Optional.empty());
+    network.join(name, percepts, agent::receive);
+    agent.start();
+    return agent;
+  }
+
+  /**
+   * Measures it.
+   *
+   * @param minutes of virtual time; each has a call of every caller
+   */
+  public static Result measure(int agents, int minutes) {
+    MessageRate run = new MessageRate(agents);
+    long begin = System.nanoTime();
+    for (int i = 0; i < minutes; i++) {
+      for (Recruiter caller : run.callers) {
+        caller.release();
+        caller.help(
+            new HelpCall(
+                "mine",
+                Field.toEarth(new Point(50, 50)),
+                Duration.ofSeconds(5),
+                Duration.ofSeconds(50)));
+      }
+      run.time.advance(Duration.ofMinutes(1));
+    }
+    return new Result(run.agents, run.network.delivered(), (System.nanoTime() - begin) / 1e9);
+  }
+}

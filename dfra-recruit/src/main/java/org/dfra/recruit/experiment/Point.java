@@ -1,0 +1,19 @@
+package org.dfra.recruit.experiment;
+
+/**
+ * A place in the field.
+ *
+ * @param east of its south-west corner, metres
+ * @param north of it, metres
+ */
+record Point(double east, double north) {
+
+  double distance(Point other) {
+    return Math.hypot(east - other.east, north - other.north);
+  }
+
+  /** That share of the way to another, 0 to 1. */
+  Point towards(Point other, double share) {
+    return new Point(east + share * (other.east - east), north + share * (other.north - north));
+  }
+}

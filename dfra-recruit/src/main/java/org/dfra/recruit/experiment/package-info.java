@@ -1,0 +1,16 @@
+/**
+ * The experiment that judges recruitment: agents in a field of 100 m by 100 m, by events in virtual
+ * time, on the same agent code as a robot's. Where a run takes place is its {@link
+ * org.dfra.recruit.experiment.Venue}: this package has the simulated one.
+ *
+ * <pre>
+ *   Grid --cells--&gt; Experiment --a seed and a cell--&gt; FieldRun --RunResult--&gt; CellResult --&gt; CSV
+ *                                                                                   '--&gt; Claims
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.recruit.experiment.Experiment}.
+ */
+@NullMarked
+package org.dfra.recruit.experiment;
+
+import org.jspecify.annotations.NullMarked;

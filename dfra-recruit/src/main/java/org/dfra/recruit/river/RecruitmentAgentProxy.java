@@ -1,0 +1,54 @@
+package org.dfra.recruit.river;
+
+import java.rmi.RemoteException;
+import java.util.UUID;
+import net.jini.core.event.UnknownEventException;
+import org.dfra.agent.AgentMessage;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.Recruiting;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.module.Identification;
+import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.remote.RemoteModule;
+
+/** Smart proxy of a recruitment agent. It sends letters as remote events. */
+public final class RecruitmentAgentProxy extends ModuleProxy<Recruiting>
+    implements RecruitmentAgent {
+
+  private static final long serialVersionUID = 1L;
+
+  /** See {@link ModuleProxy#ModuleProxy}. */
+  public RecruitmentAgentProxy(RemoteModule server, UUID id, Identification identification) {
+    super(Recruiting.class, server, id, identification);
+  }
+
+  @Override
+  public void help(HelpCall call) throws RemoteException {
+    target().help(call);
+  }
+
+  @Override
+  public void release() throws RemoteException {
+    target().release();
+  }
+
+  @Override
+  public RecruitmentStatus status() throws RemoteException {
+    return target().status();
+  }
+
+  @Override
+  public void receive(AgentMessage message) throws RemoteException {
+    Recruiting target = target();
+    if (target instanceof RecruitmentAgent here) {
+      here.receive(message);
+      return;
+    }
+    try {
+      ((RemoteRecruitmentAgent) target).notify(new LetterEvent(message));
+    } catch (UnknownEventException e) {
+      throw new IllegalArgumentException(identification().path() + " takes no such letters", e);
+    }
+  }
+}

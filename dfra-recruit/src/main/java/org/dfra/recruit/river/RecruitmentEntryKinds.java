@@ -1,0 +1,17 @@
+package org.dfra.recruit.river;
+
+import java.util.List;
+import net.jini.core.entry.Entry;
+import org.dfra.river.entry.EntryKinds;
+
+/** Makes the entry of this package known where modules are described. */
+public final class RecruitmentEntryKinds implements EntryKinds {
+
+  /** Called by the service loader. */
+  public RecruitmentEntryKinds() {}
+
+  @Override
+  public List<Class<? extends Entry>> kinds() {
+    return List.of(RecruitmentEntry.class);
+  }
+}

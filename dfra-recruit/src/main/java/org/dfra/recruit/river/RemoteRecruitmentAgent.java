@@ -1,0 +1,26 @@
+package org.dfra.recruit.river;
+
+import java.rmi.RemoteException;
+import net.jini.core.event.RemoteEvent;
+import net.jini.core.event.RemoteEventListener;
+import net.jini.core.event.UnknownEventException;
+import org.dfra.agent.Recruiting;
+import org.dfra.module.Idempotent;
+import org.dfra.river.remote.RemoteModule;
+
+/**
+ * What other robots may call on a recruitment agent's server. Letters come as remote events, and in
+ * no other way.
+ */
+public interface RemoteRecruitmentAgent extends RemoteModule, Recruiting, RemoteEventListener {
+
+  /**
+   * Takes a {@link LetterEvent}. One that comes twice does no harm, so the call may be repeated.
+   *
+   * @throws UnknownEventException if it is another event
+   * @throws IllegalArgumentException if it carries no letter of recruitment
+   */
+  @Override
+  @Idempotent
+  void notify(RemoteEvent event) throws UnknownEventException, RemoteException;
+}

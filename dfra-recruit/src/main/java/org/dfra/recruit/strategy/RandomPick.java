@@ -1,0 +1,47 @@
+package org.dfra.recruit.strategy;
+
+import java.util.List;
+import java.util.random.RandomGenerator;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.recruit.affect.Stimulus;
+import org.dfra.recruit.requester.Bid;
+
+/** Each free robot that can offers to help by lot, usually every second; so is who is chosen. */
+public final class RandomPick implements RecruitmentStrategy {
+
+  static final String NAME = "random";
+
+  /** That a robot offers, usually. */
+  public static final double CHANCE = 0.5;
+
+  private final RandomGenerator lot;
+  private final double chance;
+
+  /**
+   * @param lot seeded where runs are to be repeated
+   * @param chance that a robot offers, above 0 and at most 1
+   */
+  public RandomPick(RandomGenerator lot, double chance) {
+    if (!(chance > 0 && chance <= 1)) {
+      throw new ConfigurationException("a chance of " + chance + " is not above 0 and at most 1");
+    }
+    this.lot = lot;
+    this.chance = chance;
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public boolean answers(Stimulus stimulus) {
+    // one int of 2^32 ones, so a chance of one half draws as nextBoolean does: runs stay the same
+    return lot.nextInt() < Math.scalb(chance, Integer.SIZE) + Integer.MIN_VALUE;
+  }
+
+  @Override
+  public Bid choose(List<Bid> bids) {
+    return bids.get(lot.nextInt(bids.size()));
+  }
+}

@@ -1,0 +1,96 @@
+package org.dfra.recruit.transport;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.random.RandomGenerator;
+
+/**
+ * Delays that were measured, drawn again as they are: between two neighbours as likely as any other
+ * two.
+ */
+public final class MeasuredDelays implements DelayModel {
+
+  /** The column of the file. */
+  static final String COLUMN = "delay_ms";
+
+  private static final String LETTERS = "recruit-letter-delays.csv"; // of benchmarks/
+
+  private final double[] sorted;
+
+  /**
+   * @param delays seconds, not negative; one at least
+   */
+  public MeasuredDelays(double[] delays) {
+    this.sorted = delays.clone();
+    Arrays.sort(sorted);
+    if (sorted.length == 0 || !(sorted[0] >= 0)) {
+      throw new IllegalArgumentException("no delays, or negative ones, were measured");
+    }
+  }
+
+  /**
+   * Reads a file with a column {@value #COLUMN}, milliseconds.
+   *
+   * @throws IOException if it cannot be read, or has no such column; the message says where
+   */
+  public static MeasuredDelays read(Path csv) throws IOException {
+    return of(csv.toString(), Files.readAllLines(csv));
+  }
+
+  /**
+   * Those of letters, from the thread of one process that sends to the thread of another that gets:
+   * what {@code ./dfra bench recruit --report benchmarks} measured before this was built.
+   */
+  public static MeasuredDelays ofLetters() {
+    try (InputStream in = MeasuredDelays.class.getResourceAsStream(LETTERS)) {
+      if (in == null) {
+        throw new IllegalStateException(LETTERS + " is not in this jar; build it anew");
+      }
+      String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      return of(LETTERS, text.lines().toList());
+    } catch (IOException e) {
+      throw new UncheckedIOException(LETTERS + " in this jar cannot be read", e);
+    }
+  }
+
+  private static MeasuredDelays of(String csv, List<String> lines) throws IOException {
+    int column =
+        lines.isEmpty() ? -1 : Arrays.asList(lines.get(0).strip().split(",")).indexOf(COLUMN);
+    if (column < 0) {
+      throw new IOException(csv + ": its first line names no column " + COLUMN);
+    }
+    double[] delays = new double[lines.size() - 1];
+    for (int i = 0; i < delays.length; i++) {
+      String[] fields = lines.get(i + 1).split(",");
+      try {
+        delays[i] = Double.parseDouble(fields[column]) / 1000;
+      } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
+        throw new IOException(csv + ":" + (i + 2) + ": no number in column " + COLUMN, e);
+      }
+    }
+    try {
+      return new MeasuredDelays(delays);
+    } catch (IllegalArgumentException e) {
+      throw new IOException(csv + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Below which that share of them lies, seconds. */
+  public double quantile(double share) {
+    double place = share * (sorted.length - 1);
+    int below = (int) place;
+    int above = Math.min(below + 1, sorted.length - 1);
+    return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+  }
+
+  @Override
+  public double next(RandomGenerator lot) {
+    return quantile(lot.nextDouble());
+  }
+}

@@ -1,0 +1,140 @@
+package org.dfra.recruit.transport;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.dfra.recruit.message.Letter;
+import org.dfra.time.Scheduler;
+
+/** A network of agents in one virtual machine. Confined to the thread that moves its time on. */
+public final class SimulatedNetwork {
+
+  /** An agent that is there. */
+  private record Member(Set<String> percepts, Consumer<Letter> inbox) {}
+
+  private final Scheduler time;
+  private final Passage passage;
+  private final Map<String, Member> members = new LinkedHashMap<>();
+  private final Map<String, List<String>> capable = new HashMap<>(); // by percept
+  private long transmissions;
+  private long receptions;
+  private long delivered;
+
+  /**
+   * @param time letters arrive by it
+   * @param passage what becomes of each
+   */
+  public SimulatedNetwork(Scheduler time, Passage passage) {
+    this.time = time;
+    this.passage = passage;
+  }
+
+  /**
+   * An agent is there.
+   *
+   * @param percepts what it can observe
+   * @param inbox is given what comes for it
+   */
+  public void join(String robot, Set<String> percepts, Consumer<Letter> inbox) {
+    members.put(robot, new Member(Set.copyOf(percepts), inbox));
+    capable.clear();
+  }
+
+  /** It is gone: what is on its way to it gets lost. */
+  public void leave(String robot) {
+    Member unused = members.remove(robot);
+    capable.clear();
+  }
+
+  /** What that robot sees of it; also before it is there. */
+  public Transport port(String robot) {
+    return new Port(robot);
+  }
+
+  /** How often something was sent, a broadcast counted once. */
+  public long transmissions() {
+    return transmissions;
+  }
+
+  /** How often something was sent, a broadcast counted once for each that it was meant for. */
+  public long receptions() {
+    return receptions;
+  }
+
+  /** How many letters have come, duplicates counted. */
+  public long delivered() {
+    return delivered;
+  }
+
+  private void carry(String to, Letter letter) {
+    receptions++;
+    for (double after : passage.copies(to, letter)) {
+      Scheduler.Task unused = time.after(Math.round(after * 1e9), () -> deliver(to, letter));
+    }
+  }
+
+  private void deliver(String to, Letter letter) {
+    Member member = members.get(to);
+    if (member != null) {
+      delivered++;
+      member.inbox().accept(letter);
+    }
+  }
+
+  private List<String> whoCan(String percept) {
+    return capable.computeIfAbsent(
+        percept,
+        wanted ->
+            members.entrySet().stream()
+                .filter(entry -> entry.getValue().percepts().contains(wanted))
+                .map(Map.Entry::getKey)
+                .toList());
+  }
+
+  private final class Port implements Transport {
+
+    private final String self;
+
+    Port(String self) {
+      this.self = self;
+    }
+
+    @Override
+    public List<String> capable(String percept) {
+      List<String> others = new ArrayList<>(whoCan(percept));
+      others.remove(self);
+      return others;
+    }
+
+    @Override
+    public List<String> percepts() {
+      Set<String> all = new TreeSet<>();
+      members.forEach(
+          (robot, member) -> {
+            if (!robot.equals(self)) {
+              all.addAll(member.percepts());
+            }
+          });
+      return List.copyOf(all);
+    }
+
+    @Override
+    public void send(String robot, Letter letter) {
+      transmissions++;
+      carry(robot, letter);
+    }
+
+    @Override
+    public void broadcast(String percept, Letter letter) {
+      transmissions++;
+      for (String robot : capable(percept)) {
+        carry(robot, letter);
+      }
+    }
+  }
+}

@@ -1,0 +1,24 @@
+package org.dfra.recruit.transport;
+
+import java.util.List;
+import org.dfra.recruit.message.Letter;
+
+/**
+ * The way to other agents. A letter may be lost, and nobody is told; it may come late, twice, or
+ * after one that was sent later. Its methods do not block and do not call the agent back before
+ * they return.
+ */
+public interface Transport {
+
+  /** Names of the other robots whose agents say that they can observe it, as far as is known. */
+  List<String> capable(String percept);
+
+  /** Every percept that another robot says it can observe, in alphabetical order. */
+  List<String> percepts();
+
+  /** To one robot. */
+  void send(String robot, Letter letter);
+
+  /** To all that can observe it, with one transmission where the network can do that. */
+  void broadcast(String percept, Letter letter);
+}

@@ -1,0 +1,101 @@
+package org.dfra.recruit.transport;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Comparator;
+import java.util.PriorityQueue;
+import org.dfra.time.Scheduler;
+
+/**
+ * Time that stands until it is moved on: clock and scheduler in one. What is due at the same
+ * instant happens in the order in which it was asked for. Confined to one thread.
+ */
+public final class VirtualTime implements InstantSource, Scheduler {
+
+  private static final class Due implements Task {
+    final long at;
+    final long number;
+    final Runnable task;
+    boolean isCancelled;
+
+    Due(long at, long number, Runnable task) {
+      this.at = at;
+      this.number = number;
+      this.task = task;
+    }
+
+    @Override
+    public void cancel() {
+      isCancelled = true;
+    }
+  }
+
+  private final Instant begin;
+  private final PriorityQueue<Due> agenda =
+      new PriorityQueue<>(
+          Comparator.comparingLong((Due due) -> due.at).thenComparingLong(due -> due.number));
+  private long now;
+  private long asked;
+
+  /**
+   * @param begin the first instant
+   */
+  public VirtualTime(Instant begin) {
+    this.begin = begin;
+  }
+
+  @Override
+  public Instant instant() {
+    return begin.plusNanos(now);
+  }
+
+  /** Nanoseconds since the first instant. */
+  @Override
+  public long nanos() {
+    return now;
+  }
+
+  /** Seconds since the first instant. */
+  public double seconds() {
+    return now / 1e9;
+  }
+
+  @Override
+  public Task after(long nanos, Runnable task) {
+    long wait = Math.max(0, nanos);
+    Due due = new Due(now > Long.MAX_VALUE - wait ? Long.MAX_VALUE : now + wait, asked++, task);
+    agenda.add(due);
+    return due;
+  }
+
+  @Override
+  public boolean isLockStep() {
+    return true;
+  }
+
+  /** Has everything happen that is due in the next while, or at its end. */
+  public void advance(Duration span) {
+    long end = now + span.toNanos();
+    while (next(end)) {
+      // each at its time
+    }
+    now = end;
+  }
+
+  /** Has the next thing happen that is due by then; false where there is none. */
+  private boolean next(long end) {
+    Due due = agenda.peek();
+    while (due != null && due.isCancelled) {
+      Due unused = agenda.poll();
+      due = agenda.peek();
+    }
+    if (due == null || due.at > end) {
+      return false;
+    }
+    Due unused = agenda.poll();
+    now = due.at;
+    due.task.run();
+    return true;
+  }
+}

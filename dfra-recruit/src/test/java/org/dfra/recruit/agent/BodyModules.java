@@ -1,0 +1,268 @@
+package org.dfra.recruit.agent;
+
+import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import org.dfra.behavior.FollowWaypoints;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.Goal;
+import org.dfra.behavior.HomeGoal;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behavior.PathGoal;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.behavior.ReturnHome;
+import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.module.PerceptualSchemaImpl;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.core.state.StateStore;
+import org.dfra.directory.Locality;
+import org.dfra.directory.Watch;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.sensor.BatterySensor;
+import org.dfra.flow.sensor.BatteryState;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.module.Module;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PerceptualSchemaAttributes;
+import org.dfra.recruit.transport.VirtualTime;
+import org.jspecify.annotations.Nullable;
+
+/** What a robot's body is made of, each told by the test what to say; all by virtual time. */
+final class BodyModules implements AutoCloseable {
+
+  static final String ROBOT = "ugv1";
+  static final GeoPosition DATUM = new GeoPosition(48, 11, 0);
+
+  final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
+  final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
+  private final Map<String, StateStore> kept = new HashMap<>();
+  private final Map<ModuleImpl, Watch> listed = new HashMap<>();
+
+  ModuleContext context(String name) {
+    return new ModuleContext(
+            ROBOT,
+            name,
+            Parameters.of(ROBOT + "/" + name, Map.of()),
+            time,
+            kept.computeIfAbsent(name, unused -> StateStore.inMemory()))
+        .among(directory);
+  }
+
+  <M extends ModuleImpl> M add(M module) {
+    module.start();
+    show(module);
+    return module;
+  }
+
+  /** It is in the directory, again. */
+  void show(ModuleImpl module) {
+    listed.put(module, directory.add(module));
+  }
+
+  /** It goes on, and nobody finds it. */
+  void hide(ModuleImpl module) {
+    listed.remove(module).close();
+  }
+
+  /** Its process ends. */
+  void end(ModuleImpl module) {
+    hide(module);
+    module.close();
+  }
+
+  /** Lists what is no module of this virtual machine, or what is known of it now. */
+  void list(UUID id, String name, Module module, Attributes... further) {
+    List<Attributes> all = new ArrayList<>(List.of(further));
+    Instant now = time.instant();
+    all.add(
+        new ModuleAttributes(
+            ROBOT, name, "driver", "localhost", "DFRA", "1", Readiness.READY, now, now, 0));
+    directory.put(id, module, all, Locality.SAME_VM);
+  }
+
+  /**
+   * A module that is out of reach.
+   *
+   * @param first happens before each call fails
+   */
+  static <M extends Module> M stub(Class<M> kind, Runnable first) {
+    return kind.cast(
+        Proxy.newProxyInstance(
+            kind.getClassLoader(),
+            new Class<?>[] {kind},
+            (proxy, method, args) ->
+                switch (method.getName()) {
+                  case "equals" -> proxy == args[0];
+                  case "hashCode" -> System.identityHashCode(proxy);
+                  case "toString" -> "a " + kind.getSimpleName();
+                  default -> {
+                    first.run();
+                    throw new RemoteException("it is out of reach");
+                  }
+                }));
+  }
+
+  /** Waits, also where it is interrupted, as a call of another module may. */
+  static void awaitAnyway(CountDownLatch latch) {
+    boolean interrupted = false;
+    while (true) {
+      try {
+        latch.await();
+        break;
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  void step(double seconds) {
+    time.advance(Duration.ofNanos(Math.round(seconds * 1e9)));
+  }
+
+  static GeoPosition at(double east, double north) {
+    return new LocalFrame(DATUM).toGeo(new LocalPosition(east, north, 0));
+  }
+
+  @Override
+  public void close() {
+    List.copyOf(listed.keySet()).forEach(this::end);
+    directory.close();
+  }
+
+  /** Tells where it is told to be. */
+  static final class Position extends PerceptualSchemaImpl<PoseEstimate>
+      implements PositionEstimator {
+
+    private final ModuleContext context;
+
+    Position(ModuleContext context) {
+      super(context, "a position", "DFRA", "1", PoseEstimate.class, "PoseEstimate", 0.5);
+      this.context = context;
+    }
+
+    /** Metres from the datum. */
+    void see(double east, double north) {
+      Instant now = context.clock().instant();
+      perceive(
+          new PoseEstimate(
+              now, ROBOT + "/map", DATUM, east, north, 0, 0, 0, 0.1, 0.02, null, null));
+    }
+
+    @Override
+    protected PerceptualSchemaAttributes qualities() {
+      return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
+    }
+
+    @Override
+    public PoseEstimate estimate() {
+      return percept();
+    }
+  }
+
+  /** Tells the charge that it is told. */
+  static final class Battery extends SensorImpl implements BatterySensor {
+
+    Battery(ModuleContext context) {
+      super(context, "a battery", "DFRA", "1", List.of("BatteryState"), List.of());
+    }
+
+    /** Share of its charge, 0 to 1; null where it cannot tell. */
+    void see(@Nullable Double remaining) {
+      tell(new BatteryState(clock().instant(), 25, null, remaining, false));
+    }
+
+    @Override
+    protected void onStart() {
+      become(Readiness.READY);
+    }
+
+    @Override
+    protected void onClose() {}
+
+    @Override
+    public double updateRate() {
+      return 1;
+    }
+
+    @Override
+    public BatteryState battery() {
+      throw new AssertionError("it is listened to, not asked");
+    }
+  }
+
+  /** A behaviour whose goal is as near as the test says. */
+  abstract static class Told<G extends Goal> extends BehaviorImpl<G> {
+
+    @Nullable G goal;
+    Progress progress = Progress.going("it is on its way", 0.5);
+
+    Told(ModuleContext context, Class<G> type) {
+      super(context, "a behaviour", "DFRA", "1", type, 10);
+    }
+
+    @Override
+    protected Pursuit begin(G wanted) {
+      goal = wanted;
+      progress = Progress.going("it is on its way", 0.5);
+      return new Pursuit() {
+        @Override
+        public Progress step() {
+          return progress;
+        }
+
+        @Override
+        public void rest() {}
+      };
+    }
+  }
+
+  /** Drives, as far as its client can tell. */
+  static final class Driver extends Told<LegGoal> implements GoToWaypoint {
+    Driver(ModuleContext context) {
+      super(context, LegGoal.class);
+    }
+  }
+
+  /** Follows a path, likewise. */
+  static final class Follower extends Told<PathGoal> implements FollowWaypoints {
+    Follower(ModuleContext context) {
+      super(context, PathGoal.class);
+    }
+  }
+
+  /** Drives home, likewise. */
+  static final class Homing extends Told<HomeGoal> implements ReturnHome {
+    Homing(ModuleContext context) {
+      super(context, HomeGoal.class);
+    }
+  }
+
+  /** Searches, likewise. */
+  static final class Search extends Told<RasterGoal> implements RasterSearch {
+    Search(ModuleContext context) {
+      super(context, RasterGoal.class);
+    }
+  }
+}

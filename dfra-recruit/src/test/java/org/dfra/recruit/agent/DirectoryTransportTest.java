@@ -1,0 +1,182 @@
+package org.dfra.recruit.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.agent.AgentMessage;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.state.StateStore;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
+import org.dfra.persona.RecruitmentAttributes;
+import org.dfra.recruit.message.Conversation;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.RecruitmentMessage.Release;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One call to each robot, and none waits for another: neither for a slow one nor for a dead one.
+ */
+@Timeout(120)
+class DirectoryTransportTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final int MANY = 100;
+
+  private final InMemoryModuleDirectory directory =
+      new InMemoryModuleDirectory(InstantSource.system());
+  private final List<ModuleImpl> made = new ArrayList<>();
+  private final DirectoryTransport transport =
+      new DirectoryTransport(
+          context("uav").among(directory), LoggerFactory.getLogger(DirectoryTransportTest.class));
+
+  @AfterEach
+  void end() {
+    transport.close();
+    made.forEach(ModuleImpl::close);
+    directory.close();
+  }
+
+  private static ModuleContext context(String robot) {
+    return new ModuleContext(
+        robot,
+        "agent",
+        Parameters.of(robot + "/agent", Map.of()),
+        InstantSource.system(),
+        StateStore.inMemory());
+  }
+
+  /** What an agent at the other end does with a letter. */
+  @FunctionalInterface
+  private interface Taking {
+    void take(Letter letter) throws RemoteException, InterruptedException;
+  }
+
+  private static final class Other extends ModuleImpl implements RecruitmentAgent, Described {
+
+    private final Taking taking;
+
+    Other(ModuleContext context, Taking taking) {
+      super(context, "an agent at the other end", "DFRA", "1");
+      this.taking = taking;
+    }
+
+    @Override
+    protected void onStart() {
+      become(Readiness.READY);
+    }
+
+    @Override
+    protected void onClose() {}
+
+    @Override
+    public void help(HelpCall call) {
+      throw new AssertionError("nobody asks it to call");
+    }
+
+    @Override
+    public void release() {
+      throw new AssertionError("nobody asks it to release");
+    }
+
+    @Override
+    public RecruitmentStatus status() {
+      return new RecruitmentStatus(
+          Instant.EPOCH, RequesterPhase.IDLE, null, ResponderPhase.FREE, null, 0, "nothing");
+    }
+
+    @Override
+    public void receive(AgentMessage message) throws RemoteException {
+      try {
+        taking.take((Letter) message);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public List<Attributes> attributes() {
+      return List.of(new RecruitmentAttributes(List.of("mine"), 1, "affective", 20, 1));
+    }
+  }
+
+  private void agent(String robot, Taking taking) {
+    Other other = new Other(context(robot), taking);
+    made.add(other);
+    other.start();
+    Object unused = directory.add(other);
+  }
+
+  private static Letter letter(long number) {
+    return new Letter(
+        "uav", number, Instant.EPOCH, new Release(new Conversation("uav", 1), "enough", false));
+  }
+
+  @Test
+  void aSlowAndADeadRobotDelayNobody() throws InterruptedException {
+    CountDownLatch answers = new CountDownLatch(1);
+    CountDownLatch asked = new CountDownLatch(1);
+    List<Long> slow = new CopyOnWriteArrayList<>();
+    List<Long> well = new CopyOnWriteArrayList<>();
+    agent(
+        "slow",
+        letter -> {
+          asked.countDown();
+          answers.await();
+          slow.add(letter.number());
+        });
+    agent(
+        "dead",
+        letter -> {
+          throw new RemoteException("nobody is there any more");
+        });
+    agent("well", letter -> well.add(letter.number()));
+    assertThat(transport.capable("mine")).containsExactlyInAnyOrder("slow", "dead", "well");
+
+    List<Long> sent = new ArrayList<>();
+    for (long number = 1; number <= MANY; number++) {
+      transport.broadcast("mine", letter(number));
+      sent.add(number);
+      long last = number;
+      await().atMost(PATIENCE).until(() -> well.size() == last);
+    }
+    assertThat(asked.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+    assertThat(slow).as("it still has the first letter in its hands").isEmpty();
+    assertThat(well).as("every letter, in order").isEqualTo(sent);
+
+    answers.countDown();
+    await().atMost(PATIENCE).until(() -> slow.size() == 32);
+    assertThat(slow).as("those that were not lost, in order").isEqualTo(sent.subList(0, 32));
+    transport.send("slow", letter(1000));
+    await().atMost(PATIENCE).until(() -> slow.contains(1000L));
+  }
+
+  @Test
+  void whoeverHasLeftIsNotWrittenTo() {
+    transport.send("nobody", letter(1));
+    assertThat(transport.capable("mine")).isEmpty();
+    assertThat(transport.percepts()).isEmpty();
+  }
+}

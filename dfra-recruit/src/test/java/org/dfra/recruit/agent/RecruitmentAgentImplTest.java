@@ -1,0 +1,237 @@
+package org.dfra.recruit.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.Place;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.state.StateStore;
+import org.dfra.directory.Watch;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.transport.VirtualTime;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The agent as a module: found by its persona, kept over its end, refused in sentences. */
+class RecruitmentAgentImplTest {
+
+  private static final GeoPosition HERE = new GeoPosition(28.06, -82.41, 0);
+
+  private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
+  private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
+  private final StateStore kept = StateStore.inMemory();
+  private final List<RecruitmentAgentImpl> made = new ArrayList<>();
+  private final Map<RecruitmentAgentImpl, Watch> listed = new HashMap<>();
+  private final List<Letter> heard = new ArrayList<>();
+
+  @AfterEach
+  void end() {
+    made.forEach(RecruitmentAgentImpl::close);
+    directory.close();
+  }
+
+  private RecruitmentAgentImpl agent(String robot, StateStore state, Map<String, String> texts) {
+    ModuleContext context =
+        new ModuleContext(robot, "recruit", Parameters.of(robot + "/recruit", texts), time, state)
+            .among(directory);
+    RecruitmentAgentImpl agent =
+        new RecruitmentAgentImpl(
+            context,
+            new RecruiterListener() {
+              @Override
+              public void heard(Letter letter) {
+                heard.add(letter);
+              }
+            });
+    made.add(agent);
+    agent.start();
+    listed.put(agent, directory.add(agent));
+    return agent;
+  }
+
+  private static HelpCall call(String percept) {
+    return new HelpCall(percept, HERE, Duration.ofSeconds(20), Duration.ofSeconds(60));
+  }
+
+  @Test
+  void onlyThoseThatCanObserveItAreAsked() {
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine, heat"));
+    agent("ugv2", StateStore.inMemory(), Map.of("percepts", "heat"));
+    time.advance(Duration.ofSeconds(1));
+    uav.help(call("mine"));
+    time.advance(Duration.ofSeconds(1));
+    assertThat(heard).as("one can observe mines").hasSize(1);
+    assertThat(heard.get(0).sender()).isEqualTo("uav");
+    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    assertThatThrownBy(() -> uav.help(call("gold"))).isInstanceOf(HelpRefusedException.class);
+    uav.release();
+    assertThatThrownBy(() -> uav.help(call("gold")))
+        .hasMessage("nobody in reach of uav can observe \"gold\"; others observe heat, mine");
+  }
+
+  @Test
+  void aCallOutlivesItsProcess() {
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
+    time.advance(Duration.ofSeconds(1));
+    uav.help(call("mine"));
+    uav.close();
+    made.remove(uav);
+    listed.get(uav).close();
+    time.advance(Duration.ofSeconds(4));
+    long last = heard.get(heard.size() - 1).number();
+    heard.clear();
+    RecruitmentAgentImpl again = agent("uav", kept, Map.of());
+    assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    time.advance(Duration.ofSeconds(70));
+    assertThat(heard).as("it goes on calling").isNotEmpty();
+    assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
+    assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(again.status().doing()).contains("nobody offered to come in time");
+  }
+
+  @Test
+  void whatCannotBeIsRefusedWithItsPlace() {
+    assertThatThrownBy(() -> agent("ugv1", kept, Map.of("strategy", "gredy")))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("did you mean \"greedy\"?");
+    assertThatThrownBy(() -> agent("ugv1", kept, Map.of("field", "28,-82 27,-81")))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("two corners, south-west and north-east");
+  }
+
+  @Test
+  void placesOutsideTheFieldAreRefused() {
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of("field", "28.10,-82.42 28.11,-82.41"));
+    time.advance(Duration.ofSeconds(1));
+    assertThatThrownBy(() -> uav.help(call("mine"))).hasMessageContaining("outside the field");
+  }
+
+  @Test
+  void itWaitsAsLongAsItsParametersSay() {
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of("help_every", "0.5"));
+    time.advance(Duration.ofSeconds(1));
+    uav.help(call("mine"));
+    time.advance(Duration.ofMillis(1700));
+    assertThat(heard).as("calls after 0, 0.5, 1 and 1.5 s").hasSize(4);
+  }
+
+  @Test
+  void aStayMayBeLongerThanLeasesUsuallyAre() {
+    Duration usual = LeaseTerms.USUAL.longest();
+    LeaseTerms terms = agent("ugv1", kept, Map.of()).leases().terms();
+    assertThat(terms.longest()).isEqualTo(Duration.ofMinutes(10)).isGreaterThan(usual);
+    assertThat(terms.usual()).isEqualTo(LeaseTerms.USUAL.usual());
+    LeaseTerms brief =
+        agent("ugv2", StateStore.inMemory(), Map.of("longest_stay", "2")).leases().terms();
+    assertThat(brief.longest()).isEqualTo(Duration.ofSeconds(2));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "help_every    | 0     | a number of seconds from 0.1 to 3600",
+        "replace_after | soon  | a number of seconds from 0.1 to 3600",
+        "replace_after | 1     | above margin, 1.0 s",
+        "margin        | 20    | below replace_after, 20.0 s",
+        "repeat_every  | -6    | a number of seconds from 0.1 to 3600",
+        "agree_every   | 1e9   | a number of seconds from 0.1 to 3600",
+        "help_rounds   | 0     | a number from 1 to 100",
+        "accept_sends  | 2.5   | a whole number",
+        "arrival_sends | many  | a number from 1 to 100",
+        "release_every | 0.01  | a number of seconds from 0.1 to 3600",
+        "longest_stay  | 0.5   | a number of seconds from 1 to 86400",
+        "window         | 0     | a number of seconds from 0.1 to 10",
+        "window         | 11    | a number of seconds from 0.1 to 10",
+        "shame_gain     | 0     | a number from 0.01 to 100",
+        "shame_exponent | 11    | a number from 0.01 to 10",
+        "shame_floor    | 0     | a number from 0.001 to 1",
+        "shame_idle     | 11    | a number from 0.01 to 10",
+        "shame_busy     | -1    | a number from 0.01 to 10",
+        "eta_reference  | 0     | a number of seconds from 0.1 to 86400",
+        "random_chance  | 1.1   | a number from 0.01 to 1",
+        "impatience_fastest | 0  | a number of seconds from 0.1 to 3600",
+        "impatience_slowest | 1h | a number of seconds from 0.1 to 3600",
+        "impatience_fastest | 31 | at most impatience_slowest, 30.0 s",
+        "impatience_slowest | 4  | at least impatience_fastest, 5.0 s",
+      })
+  void aNumberThatCannotBeIsRefusedWithItsPlace(String name, String text, String wanted) {
+    Place place = new Place("robot.xml", 12);
+    Parameters written =
+        new Parameters("ugv1/recruit", Map.of(name, new Parameters.Value(text, place)));
+    ModuleContext context = new ModuleContext("ugv1", "recruit", written, time, kept);
+    assertThatThrownBy(() -> new RecruitmentAgentImpl(context))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            place
+                + ": ugv1/recruit: parameter "
+                + name
+                + " is \""
+                + text
+                + "\", which is not "
+                + wanted);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "affective", "greedy"})
+  void anUnknownAffectIsRefusedAtItsOwnPlace(String strategy) {
+    Map<String, Parameters.Value> written = new HashMap<>();
+    written.put("affect", new Parameters.Value("shamee", new Place("robot.xml", 12)));
+    if (!strategy.isEmpty()) {
+      written.put("strategy", new Parameters.Value(strategy, new Place("robot.xml", 11)));
+    }
+    ModuleContext context =
+        new ModuleContext("ugv1", "recruit", new Parameters("ugv1/recruit", written), time, kept);
+    assertThatThrownBy(() -> new RecruitmentAgentImpl(context))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            "robot.xml:12: ugv1/recruit: parameter affect is \"shamee\", which is not shame or"
+                + " impatience");
+  }
+
+  @Test
+  void thoseThatDisagreeOnWhenAHelperIsLateSaySo() {
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    RecruitmentAgentImpl other =
+        agent("ugv2", StateStore.inMemory(), Map.of("replace_after", "40"));
+    time.advance(Duration.ofSeconds(1));
+    assertThat(disagreements(uav))
+        .isEqualTo(
+            "ugv2 has replace_after 40.0 s and margin 1.0 s, this agent 20.0 s and 1.0 s; set them"
+                + " alike in the whole team, or a call may have two helpers");
+    assertThat(disagreements(other)).contains("uav has replace_after 20.0 s", "; ugv1 has");
+    listed.get(other).close();
+    time.advance(Duration.ofSeconds(1));
+    assertThat(disagreements(uav)).as("it has left").isEmpty();
+  }
+
+  private static String disagreements(RecruitmentAgentImpl agent) {
+    return agent.parameters().stream()
+        .filter(each -> each.name().equals("disagreements"))
+        .findFirst()
+        .orElseThrow()
+        .text();
+  }
+}

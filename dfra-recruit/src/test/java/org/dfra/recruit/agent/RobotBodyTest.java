@@ -1,0 +1,255 @@
+package org.dfra.recruit.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.dfra.recruit.agent.BodyModules.at;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.recruit.agent.BodyModules.Driver;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.slf4j.LoggerFactory;
+
+/** What an agent knows of its robot and has it do, by the robot's own modules. */
+class RobotBodyTest extends BodyFixture {
+
+  @Test
+  void theTimeToAPlaceIsThatOfItsWayAtItsSpeed() {
+    // 50 m as the crow flies, a fifth more to drive, half a metre in a second.
+    assertThat(body.eta(CALL.place()).orElseThrow()).isBetween(millis(119_900), millis(120_100));
+    position.see(30, 20);
+    modules.step(0.1);
+    assertThat(body.eta(CALL.place()).orElseThrow()).isBetween(millis(47_950), millis(48_050));
+    assertThat(body.canObserve("mine")).isTrue();
+    assertThat(body.canObserve("heat")).isFalse();
+    assertThat(body.isInField(at(99, 49))).isTrue();
+    assertThat(body.isInField(at(99, 51))).isFalse();
+  }
+
+  private static Duration millis(long all) {
+    return Duration.ofMillis(all);
+  }
+
+  @Test
+  void itGoesThereAndTellsThatItHasArrivedOnce() {
+    body.go(CALL, journey);
+    modules.step(1);
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(told).isEmpty();
+    driver.progress = Progress.reached("it is there");
+    modules.step(5);
+    assertThat(told).containsExactly("arrived");
+    body.observe(CALL);
+    body.resume();
+    modules.step(5);
+    assertThat(told).containsExactly("arrived");
+    assertThat(driver.status().phase()).isEqualTo(Phase.SUCCEEDED);
+  }
+
+  @Test
+  void itTellsWhyItWillNotGetThere() {
+    body.go(CALL, journey);
+    modules.step(1);
+    driver.progress = Progress.failed("an obstacle is in the way", 0.5);
+    modules.step(5);
+    assertThat(told).containsExactly("an obstacle is in the way");
+  }
+
+  @Test
+  void onceCalledOffItStandsAndTellsNothing() {
+    body.go(CALL, journey);
+    modules.step(1);
+    body.resume();
+    modules.step(1);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+    modules.step(5);
+    assertThat(told).isEmpty();
+  }
+
+  @Test
+  void itSetsOutAsSoonAsThereIsSomethingThatDrives() {
+    modules.end(driver);
+    body.go(CALL, journey);
+    modules.step(3);
+    assertThat(told).as("it waits").isEmpty();
+    Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
+    modules.step(2);
+    assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void itWaitsForItsWheelsWhereSomebodyElseHasTakenThem() throws RemoteException {
+    body.go(CALL, journey);
+    modules.step(1);
+    driver.cancel();
+    UUID unused = driver.pursue(new LegGoal(null, at(1, 1), 1));
+    modules.step(3);
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, at(1, 1), 1));
+    assertThat(told).isEmpty();
+    driver.progress = Progress.reached("it is there");
+    modules.step(1);
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void itLeavesItsSearchAndGoesOnWithIt() throws RemoteException {
+    UUID goal = search.pursue(FIELD);
+    modules.step(1);
+    assertThat(body.isBusy()).isTrue();
+    body.go(CALL, journey);
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(body.isBusy()).isFalse();
+    body.resume();
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(search.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
+  void aSearchThatItsOperatorPausedStaysSo() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    search.pause();
+    body.go(CALL, journey);
+    modules.step(1);
+    body.resume();
+    modules.step(5);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+  }
+
+  @Test
+  void whatItLeftGoesOnThoughItsProcessHasDiedMeanwhile() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, journey);
+    modules.step(1);
+    body.close();
+    body = body();
+    body.go(CALL, journey); // it was on its way
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    body.resume();
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void anAgentThatHelpsNobodyGoesOnWithWhatItLeftBeforeItDied() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, journey);
+    modules.step(1);
+    body.close(); // after it was freed, and before its search went on
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    RecruitmentAgentImpl agent = modules.add(new RecruitmentAgentImpl(modules.context("agent")));
+    modules.step(2);
+    assertThat(agent.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void aSearchThatDidNotAnswerWaitsUntilItHelpsNobodyAgain() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, journey);
+    modules.step(1);
+    modules.hide(search);
+    body.resume();
+    modules.step(0.1);
+    body.go(CALL, journey);
+    modules.step(0.1);
+    driver.progress = Progress.reached("it is there");
+    modules.show(search);
+    modules.step(0.6);
+    assertThat(told).containsExactly("arrived");
+    body.observe(CALL);
+    modules.step(5);
+    assertThat(search.status().phase()).as("it observes").isEqualTo(Phase.PAUSED);
+    body.resume();
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void aSearchThatWasNotFoundIsPausedWhereItHoldsWhatDrives() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    UUID leg = driver.pursue(new LegGoal(null, at(1, 1), 1)); // the search's
+    modules.step(1);
+    modules.hide(search);
+    body.go(CALL, journey);
+    modules.step(1);
+    assertThat(driver.status().goal()).isEqualTo(leg);
+    modules.show(search);
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    driver.cancel(); // as a search does that pauses
+    modules.step(1);
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
+    body.resume();
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void aSearchThatIsGoneDoesNotKeepItBusy() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    assertThat(body.isBusy()).isTrue();
+    modules.end(search); // without a word
+    modules.step(1);
+    assertThat(body.isBusy()).isFalse();
+  }
+
+  /** What it was told before its end takes its time, and must not have the robot drive then. */
+  @Test
+  @Timeout(60)
+  void onceItHasEndedNothingDrives() throws InterruptedException {
+    CountDownLatch asked = new CountDownLatch(1);
+    CountDownLatch answers = new CountDownLatch(1);
+    AtomicReference<Thread> asker = new AtomicReference<>();
+    RasterSearch slow =
+        BodyModules.stub(
+            RasterSearch.class,
+            () -> {
+              asker.set(Thread.currentThread());
+              asked.countDown();
+              BodyModules.awaitAnyway(answers);
+            });
+    modules.list(UUID.randomUUID(), "slow_search", slow);
+    RobotBody real =
+        new RobotBody(
+            new ModuleContext(
+                    BodyModules.ROBOT,
+                    "agent",
+                    Parameters.of("ugv1/agent", Map.of()),
+                    InstantSource.system())
+                .among(modules.directory),
+            TRAITS,
+            LoggerFactory.getLogger("test"));
+    real.go(CALL, journey);
+    asked.await();
+    Thread closer = new Thread(real::close, "closer");
+    closer.start();
+    while (closer.getState() != Thread.State.TIMED_WAITING && closer.isAlive()) {
+      Thread.yield(); // until it waits, or does not
+    }
+    answers.countDown();
+    closer.join();
+    asker.get().join();
+    assertThat(driver.status().phase().isUnderWay()).isFalse();
+  }
+}

@@ -1,0 +1,76 @@
+package org.dfra.recruit.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.recruit.experiment.Claim.Verdict;
+import org.dfra.recruit.transport.MessageMode;
+import org.junit.jupiter.api.Test;
+
+/** What is written and claimed of results, on results made by hand. */
+class ResultsTest {
+
+  private static final Cell AFFECTIVE = new Cell("affective", MessageMode.BROADCAST, 6, 0.25);
+
+  private static RunResult run(long seed, long transmissions, double allocation) {
+    return new RunResult(
+        seed, 12, 10, 9, transmissions, 2 * transmissions, allocation, 41.5, 0.25, 1, 2, 30, 7.125);
+  }
+
+  private static CellResult cell(String strategy, long... transmissions) {
+    List<RunResult> runs = new ArrayList<>();
+    for (int i = 0; i < transmissions.length; i++) {
+      runs.add(run(i, transmissions[i], 4));
+    }
+    return new CellResult(AFFECTIVE.with(strategy), runs);
+  }
+
+  @Test
+  void aLineOfTheCsvIsARun() {
+    CellResult result = new CellResult(AFFECTIVE, List.of(run(7, 95, 3.5), run(8, 96, Double.NaN)));
+    assertThat(ResultsCsv.of(List.of(result)).lines())
+        .containsExactly(
+            "strategy,mode,vehicles,loss,seed,calls,completed,successes,transmissions,receptions,"
+                + "allocation_s,arrival_s,regret_s,doubles,orphans,raster_lost_s,travel_m",
+            "affective,broadcast,6,0.25,7,12,10,9,95,190,3.500,41.500,0.250,1,2,30.000,7.125",
+            "affective,broadcast,6,0.25,8,12,10,9,96,192,,41.500,0.250,1,2,30.000,7.125");
+  }
+
+  private static Claim claim(CellResult affective, CellResult rival) {
+    return Claim.all(List.of(affective, rival)).stream()
+        .filter(each -> each.metric() == Metric.TRANSMISSIONS)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void aWinIsAnIntervalBelowNothing() {
+    Claim claim = claim(cell("affective", 80, 81, 82), cell("greedy", 100, 102, 103));
+    assertThat(claim.verdict()).isEqualTo(Verdict.WINS);
+    assertThat(claim.more().value()).as("each").isCloseTo(-62.0 / 3 / 10, within(1e-9));
+    assertThat(claim.share()).isCloseTo(-62.0 / 305, within(1e-9));
+    assertThat(claim)
+        .hasToString(
+            "affective, broadcast, 6 vehicles, 25 % loss: transmissions, less than greedy: "
+                + claim.more());
+  }
+
+  @Test
+  void aLossIsOneAboveAndWhatHoldsNothingIsOpen() {
+    assertThat(claim(cell("affective", 120, 121, 122), cell("greedy", 100, 100, 100)).verdict())
+        .isEqualTo(Verdict.LOSES);
+    assertThat(claim(cell("affective", 90, 101, 109), cell("greedy", 100, 100, 100)).verdict())
+        .isEqualTo(Verdict.OPEN);
+  }
+
+  @Test
+  void everyRivalIsComparedByEveryMetricAndAffectiveNotWithItself() {
+    List<Claim> claims =
+        Claim.all(List.of(cell("affective", 1, 2), cell("greedy", 1, 2), cell("random", 1, 3)));
+    assertThat(claims).hasSize(2 * Metric.values().length);
+    assertThat(claims.stream().map(Claim::rival).distinct()).containsExactly("greedy", "random");
+    assertThat(Claim.all(List.of(cell("greedy", 1, 2)))).isEmpty();
+  }
+}
