@@ -6,13 +6,18 @@ import org.dfra.app.completion.CompletionCommand;
 import org.dfra.app.demo.DemoCommand;
 import org.dfra.app.doctor.DoctorCommand;
 import org.dfra.app.event.EventCommand;
+import org.dfra.app.fuzzy.FuzzyCommand;
 import org.dfra.app.lease.LeaseCommand;
 import org.dfra.app.log.LogCommand;
 import org.dfra.app.module.ModuleCommand;
 import org.dfra.app.persona.PersonaCommand;
+import org.dfra.app.recruit.RecruitCommand;
 import org.dfra.app.robot.DownCommand;
 import org.dfra.app.robot.StatusCommand;
 import org.dfra.app.robot.UpCommand;
+import org.dfra.app.sim.SimCommand;
+import org.dfra.app.stop.StopCommand;
+import org.dfra.app.task.TaskCommand;
 import org.dfra.app.terminal.Called;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
@@ -34,13 +39,18 @@ import picocli.CommandLine.ScopeType;
       UpCommand.class,
       DownCommand.class,
       StatusCommand.class,
+      StopCommand.class,
       DoctorCommand.class,
+      TaskCommand.class,
       ModuleCommand.class,
       PersonaCommand.class,
       EventCommand.class,
       LeaseCommand.class,
       LogCommand.class,
+      FuzzyCommand.class,
+      RecruitCommand.class,
       DemoCommand.class,
+      SimCommand.class,
       BenchCommand.class,
       CompletionCommand.class,
       HelpCommand.class

@@ -3,6 +3,7 @@ package org.dfra.app;
 import java.io.IOException;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
+import org.dfra.app.plot.NoFontException;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
@@ -37,6 +38,7 @@ final class PlainFailure implements IExecutionExceptionHandler {
         || e instanceof ActivationException
         || e instanceof NotReadyException
         || e instanceof LeaseRefusedException
+        || e instanceof NoFontException
         || e instanceof IllegalArgumentException) { // what a module says of a wrong parameter
       return ExitCode.FAILED;
     }

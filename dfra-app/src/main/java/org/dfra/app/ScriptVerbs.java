@@ -28,7 +28,7 @@ public final class ScriptVerbs {
           "",
           "Also, by the script itself:",
           "  dist   Packs what runs on a computer with only a Java runtime.",
-          "  test   Runs the tests: test [--full] [--integration] [--java HOME].",
+          "  test   Runs tests: test [--full] [--integration] [--java HOME] [--seed N].",
         };
   }
 
@@ -40,6 +40,7 @@ public final class ScriptVerbs {
         Stream.of("--full", "--integration").forEach(option -> spec.addOption(option(option)));
         spec.addOption(
             OptionSpec.builder("--java").paramLabel("HOME").type(java.io.File.class).build());
+        spec.addOption(OptionSpec.builder("--seed").paramLabel("N").type(String.class).build());
       }
       spec.addOption(option("--help"));
       line.addSubcommand(name, spec);

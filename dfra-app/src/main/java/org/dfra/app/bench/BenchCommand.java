@@ -1,5 +1,6 @@
 package org.dfra.app.bench;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -10,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -23,20 +25,47 @@ import picocli.CommandLine.Spec;
       "Benchmarks:",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, the latency of events alone",
-      "  parsers       the receivers' parsers (ten seconds)"
+      "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
+      "  lockstep      how much faster than real time drivers are in lock-step (one minute)",
+      "  mines         how often the mine detector is right, in many looks (one minute)",
+      "  navigation    robots that search a field, over many seeds (an hour; fewer by --seeds)",
+      "  parsers       the devices' parsers (fifteen seconds)",
+      "  recruit       messages between agents, and how long letters and events take (three minutes)",
+      "  world         simulated robots that scan, and pictures (half a minute)"
     })
 public final class BenchCommand implements Callable<Integer> {
 
-  private static final Map<String, Supplier<Bench>> BENCHES = new LinkedHashMap<>();
+  private final Map<String, Supplier<Bench>> benches = new LinkedHashMap<>();
 
-  static {
-    BENCHES.put("distributed", DistributedBench::new);
-    BENCHES.put("events", EventBench::new);
-    BENCHES.put("parsers", ParserBench::new);
+  /** Knows them all; runs none. */
+  public BenchCommand() {
+    benches.put("distributed", DistributedBench::new);
+    benches.put("events", EventBench::new);
+    benches.put("fuzzy", FuzzyBench::new);
+    benches.put("lockstep", LockStepBench::new);
+    benches.put("mines", MinesBench::new);
+    benches.put("navigation", () -> new NavigationBench(seeds, folder("navigation")));
+    benches.put("parsers", ParserBench::new);
+    benches.put("recruit", () -> new RecruitBench(folder("recruit")));
+    benches.put("world", WorldBench::new);
   }
 
   @Parameters(paramLabel = "NAME", description = "Which one.")
   private String name = "";
+
+  @Option(
+      names = "--seeds",
+      paramLabel = "N",
+      description = "How many seeds the benchmark navigation runs (default ${DEFAULT-VALUE}).")
+  private int seeds = 200;
+
+  @Option(
+      names = "--report",
+      paramLabel = "DIR",
+      description =
+          "Where the benchmarks navigation and recruit put what they write (default"
+              + " reports/NAME).")
+  private @Nullable Path folder;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -46,13 +75,17 @@ public final class BenchCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
 
+  private Path folder(String ofBench) {
+    return folder == null ? Path.of("reports", ofBench) : folder;
+  }
+
   @Override
   public Integer call() throws Exception {
-    @Nullable Supplier<Bench> bench = BENCHES.get(name);
+    @Nullable Supplier<Bench> bench = benches.get(name);
     if (bench == null) {
       throw new ParameterException(
           spec.commandLine(),
-          "there is no benchmark \"" + name + "\"; there is " + BENCHES.keySet());
+          "there is no benchmark \"" + name + "\"; there is " + benches.keySet());
     }
     Report report = new Report(spec.commandLine().getOut());
     bench.get().run(report);

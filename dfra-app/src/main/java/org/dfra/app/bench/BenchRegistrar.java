@@ -1,80 +1,67 @@
 package org.dfra.app.bench;
 
-import com.sun.jini.admin.DestroyAdmin;
-import com.sun.jini.start.ServiceProxyAccessor;
 import java.io.FilterInputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.lang.reflect.Constructor;
 import java.net.InetAddress;
-import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.rmi.RemoteException;
+import java.rmi.MarshalledObject;
+import java.time.Duration;
+import java.util.List;
 import java.util.Map;
+import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.net.ServerSocketFactory;
-import net.jini.admin.Administrable;
-import net.jini.config.Configuration;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.Place;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.lookup.SuppliedConfiguration;
+import org.dfra.river.server.ModuleActivation;
 
 /** Stock reggie in this virtual machine, which counts the bytes of all calls on it. */
 final class BenchRegistrar implements AutoCloseable {
 
   static final String HOST = "127.0.0.1";
 
-  private final Object reggie;
+  private final EmbeddedRegistrar reggie;
   private final AtomicLong bytes = new AtomicLong();
 
   /**
    * @param leaseMillis longest lease it grants, in milliseconds
    */
-  BenchRegistrar(long leaseMillis) throws Exception {
-    // By its name: the application is compiled without reggie, which only runs beside it.
-    Constructor<?> constructor =
-        Class.forName("com.sun.jini.reggie.TransientRegistrarImpl")
-            .getDeclaredConstructor(
-                Configuration.class, Class.forName("com.sun.jini.start.LifeCycle"));
-    constructor.setAccessible(true);
-    reggie = constructor.newInstance(configuration(leaseMillis), null);
+  BenchRegistrar(long leaseMillis) throws IOException {
+    this.reggie =
+        new EmbeddedRegistrar(
+                HOST,
+                0,
+                List.of("bench"),
+                Duration.ofMillis(leaseMillis),
+                Map.of(
+                    "serverExporter",
+                    () ->
+                        new BasicJeriExporter(
+                            TcpServerEndpoint.getInstance(HOST, 0, null, new Counting()),
+                            new DeadlineILFactory(30_000),
+                            false,
+                            true),
+                    "minRenewalInterval",
+                    () -> 1L)) // else a hundred milliseconds more for each service
+            .start();
   }
 
-  private Configuration configuration(long leaseMillis) {
-    String component = "com.sun.jini.reggie.";
-    NetworkInterface[] none = {};
-    return new SuppliedConfiguration(
-        Map.ofEntries(
-            Map.entry(component + "initialMemberGroups", () -> new String[] {"bench"}),
-            Map.entry(
-                component + "serverExporter",
-                () ->
-                    new BasicJeriExporter(
-                        TcpServerEndpoint.getInstance(HOST, 0, null, new Counting(true)),
-                        new DeadlineILFactory(30_000),
-                        false,
-                        true)),
-            Map.entry(component + "serverSocketFactory", () -> new Counting(false)),
-            Map.entry(component + "unicastDiscoveryHost", () -> HOST),
-            Map.entry(component + "multicastInterfaces", () -> none),
-            Map.entry(component + "minMaxServiceLease", () -> leaseMillis),
-            Map.entry(component + "minMaxEventLease", () -> leaseMillis),
-            // Else a hundred milliseconds more for each service.
-            Map.entry(component + "minRenewalInterval", () -> 1L),
-            Map.entry("net.jini.discovery.LookupDiscovery.multicastInterfaces", () -> none)));
+  ServiceRegistrar registrar() {
+    return reggie.registrar();
   }
 
-  ServiceRegistrar registrar() throws RemoteException {
-    return (ServiceRegistrar) ((ServiceProxyAccessor) reggie).getServiceProxy();
-  }
-
-  String locator() throws IOException {
-    return "jini://" + HOST + ":" + registrar().getLocator().getPort();
+  String locator() {
+    return reggie.locator();
   }
 
   /** How many bytes calls on it have cost so far, both ways. */
@@ -82,19 +69,32 @@ final class BenchRegistrar implements AutoCloseable {
     return bytes.get();
   }
 
-  @Override
-  public void close() throws Exception {
-    ((DestroyAdmin) ((Administrable) registrar()).getAdmin()).destroy();
+  /** What a group is told to serve such a module in robot {@code bench}, which joins there. */
+  static MarshalledObject<ModuleActivation> activation(
+      String name, Class<?> server, Class<?> proxy, Class<?> driver, String locator)
+      throws IOException {
+    ModuleDescription description =
+        new ModuleDescription(
+            "bench",
+            name,
+            server.getName(),
+            proxy.getName(),
+            driver.getName(),
+            null,
+            false,
+            Parameters.of("bench/" + name, Map.of()),
+            Place.CODE);
+    return new MarshalledObject<>(
+        new ModuleActivation(description, UUID.randomUUID(), HOST, List.of(), List.of(locator)));
   }
 
-  /** Sockets at a free port of the loopback, which count if wanted. */
+  @Override
+  public void close() throws IOException {
+    reggie.close();
+  }
+
+  /** Sockets at a free port of the loopback, which count. */
   private final class Counting extends ServerSocketFactory {
-    private final boolean counts;
-
-    Counting(boolean counts) {
-      this.counts = counts;
-    }
-
     @Override
     public ServerSocket createServerSocket(int port) throws IOException {
       return new ServerSocket(0, 0, InetAddress.getByName(HOST)) {
@@ -148,7 +148,7 @@ final class BenchRegistrar implements AutoCloseable {
       }
 
       private int counted(int count) {
-        if (counts && count > 0) {
+        if (count > 0) {
           bytes.addAndGet(count);
         }
         return count;

@@ -1,15 +1,9 @@
 package org.dfra.app.bench;
 
-import java.rmi.MarshalledObject;
 import java.time.Instant;
 import java.util.List;
-import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.flow.sensor.GPSSensor;
@@ -18,9 +12,8 @@ import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Readiness;
-import org.dfra.river.proxy.GPSProxy;
-import org.dfra.river.server.GPSServer;
-import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.proxy.sensor.GPSProxy;
+import org.dfra.river.server.sensor.GPSServer;
 
 /** A receiver that has a fix whenever the benchmark says so, served as any other. */
 public final class BenchSensor extends SensorImpl implements GPSSensor {
@@ -44,22 +37,10 @@ public final class BenchSensor extends SensorImpl implements GPSSensor {
 
   /** Serves one in this virtual machine, as a group would. */
   static GPSServer serve(String locator) throws Exception {
-    ModuleDescription description =
-        new ModuleDescription(
-            "bench",
-            "gps",
-            GPSServer.class.getName(),
-            GPSProxy.class.getName(),
-            BenchSensor.class.getName(),
-            null,
-            false,
-            Parameters.of("bench/gps", Map.of()),
-            Place.CODE);
     return new GPSServer(
         null,
-        new MarshalledObject<>(
-            new ModuleActivation(
-                description, UUID.randomUUID(), BenchRegistrar.HOST, List.of(), List.of(locator))));
+        BenchRegistrar.activation(
+            "gps", GPSServer.class, GPSProxy.class, BenchSensor.class, locator));
   }
 
   @Override

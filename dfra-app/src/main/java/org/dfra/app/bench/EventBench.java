@@ -11,7 +11,7 @@ import java.util.stream.DoubleStream;
 import org.dfra.app.log.LogbackLevels;
 import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.module.LogLevel;
-import org.dfra.river.server.GPSServer;
+import org.dfra.river.server.sensor.GPSServer;
 
 /**
  * How long an event takes from the sensor that publishes it to each of twenty listeners in

@@ -3,23 +3,30 @@ package org.dfra.app.bench;
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.rmi.RemoteException;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.dfra.agent.RecruitmentAgent;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.Kind;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.recruit.message.Conversation;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.RecruitmentMessage.Accept;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
  * A process that listens to a receiver and notes when it was told. To {@code clock} on its input it
- * answers what time it is, to {@code report} what it noted, {@code number nanoseconds} in a line,
- * and an empty line.
+ * answers what time it is, to {@code letter} when it sent the agent a letter and when it knew that
+ * this had come, to {@code report} what it noted, {@code number nanoseconds} in a line, and an
+ * empty line.
  */
 final class ListenerMain {
 
@@ -49,11 +56,15 @@ final class ListenerMain {
                 }
               },
               DeliveryPolicy.keepLast(DEPTH))) {
+        long letters = 0;
         out.println("ready");
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
         for (String line; (line = in.readLine()) != null; ) {
           if (line.equals("clock")) {
             out.println(System.nanoTime());
+          } else if (line.equals("letter")) {
+            long sent = write(agent(directory), ++letters);
+            out.println(sent + " " + System.nanoTime());
           } else {
             told.forEach(each -> out.println(each.number() + " " + each.nanos()));
             out.println(subscription.interruptedSince().isEmpty() ? "" : "interrupted");
@@ -62,5 +73,25 @@ final class ListenerMain {
       }
     }
     System.exit(0);
+  }
+
+  private static RecruitmentAgent agent(JiniModuleDirectory directory) throws InterruptedException {
+    return directory
+        .findFirst(ModuleQuery.of(RecruitmentAgent.class), PATIENCE)
+        .orElseThrow()
+        .module();
+  }
+
+  /** Returns when it was sent, by {@link System#nanoTime}. */
+  private static long write(RecruitmentAgent agent, long number) throws RemoteException {
+    Letter letter =
+        new Letter(
+            "listener",
+            number,
+            Instant.now(),
+            new Accept(new Conversation("bench", number), 0, Duration.ofSeconds(30), 1));
+    long sent = System.nanoTime();
+    agent.receive(letter);
+    return sent;
   }
 }

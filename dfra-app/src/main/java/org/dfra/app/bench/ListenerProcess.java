@@ -55,6 +55,12 @@ final class ListenerProcess implements AutoCloseable {
     }
   }
 
+  /** Has it send the agent a letter: when it did, and when it knew it had come, nanoseconds. */
+  long[] letter() throws IOException {
+    String[] words = ask("letter").split(" ");
+    return new long[] {Long.parseLong(words[0]), Long.parseLong(words[1])};
+  }
+
   /** When it was told, in nanoseconds, by the event's number. */
   Map<Long, Long> report() throws IOException {
     Map<Long, Long> told = new HashMap<>();

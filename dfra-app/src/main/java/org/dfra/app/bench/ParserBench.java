@@ -15,6 +15,10 @@ import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.nmea.NmeaParser;
 import org.dfra.drivers.gps.ubx.UbxCommands;
 import org.dfra.drivers.gps.ubx.UbxParser;
+import org.dfra.drivers.laser.lms.LmsCommands;
+import org.dfra.drivers.laser.lms.LmsParser;
+import org.dfra.drivers.laser.lms.LmsScan;
+import org.dfra.drivers.laser.lms.MeasuringMode;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.AntennaPath;
 import org.dfra.sim.device.GpsdDevice;
@@ -22,10 +26,12 @@ import org.dfra.sim.device.M12Device;
 import org.dfra.sim.device.NmeaDevice;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UbxDevice;
+import org.dfra.sim.device.laser.LmsDevice;
+import org.dfra.sim.device.laser.LmsMakeup;
 
 /**
- * How fast the receivers' parsers are, on what the emulated receivers say in five minutes, in
- * pieces of a driver's buffer. 20 ns for a byte are 50 MB/s.
+ * How fast the devices' parsers are, on what the emulated devices say in five minutes, in pieces of
+ * a driver's buffer. 20 ns for a byte are 50 MB/s.
  */
 final class ParserBench implements Bench {
 
@@ -37,6 +43,7 @@ final class ParserBench implements Bench {
   private static final int ROUNDS = 30;
   private static final int ROUND_BYTES = 4_000_000;
   private static final double MOST_NANOS_PER_BYTE = 20;
+  private static final MeasuringMode MODE = MeasuringMode.of(0).orElseThrow();
 
   /** Takes bytes. */
   @FunctionalInterface
@@ -49,6 +56,7 @@ final class ParserBench implements Bench {
     AntennaPath path =
         AntennaPath.drifting(new GeoPosition(52.910313611, 6.866706667, 55.91), BEGIN, 0.6, 0.8);
     AtomicLong messages = new AtomicLong();
+    AtomicLong beams = new AtomicLong();
     measure(
         report,
         "Motorola binary",
@@ -79,10 +87,32 @@ final class ParserBench implements Bench {
             new GpsdDevice(path, BAUD, Duration.ZERO),
             List.of("?WATCH={\"enable\":true,\"json\":true};".getBytes(StandardCharsets.US_ASCII))),
         new GpsdParser(message -> messages.incrementAndGet())::feed);
-    report.say(messages.get() + " messages were decoded.");
+    measure(
+        report,
+        "SICK LMS 200",
+        record(
+            new LmsDevice(ParserBench::room, LmsMakeup.sold().leftAt(500_000)),
+            List.of(LmsCommands.stream())),
+        new LmsParser(
+                message -> {
+                  messages.incrementAndGet();
+                  if (message instanceof LmsScan scan) {
+                    beams.addAndGet(scan.ranges(MODE).length);
+                  }
+                })
+            ::feed);
+    report.say(messages.get() + " messages were decoded, " + beams.get() + " beams in them.");
   }
 
-  /** What the receiver says when it has been told so much. */
+  /** A room around the laser, whose far wall is out of its sight. */
+  private static void room(
+      Instant time, double first, double step, double longest, double[] distances) {
+    for (int i = 0; i < distances.length; i++) {
+      distances[i] = 2 + 10 * Math.abs(Math.sin(3 * (first + i * step)));
+    }
+  }
+
+  /** What the device says when it has been told so much. */
   private static byte[] record(SerialDevice device, List<byte[]> commands) {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
     device.connected();

@@ -1,47 +1,73 @@
 package org.dfra.app.demo;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.devices.DevicesDemo;
+import org.dfra.app.demo.foundation.FoundationDemo;
+import org.dfra.app.demo.persona.PersonaDemo;
+import org.dfra.app.demo.raster.RasterDemo;
+import org.dfra.app.demo.raster.RasterOptions;
+import org.dfra.app.demo.recruit.RecruitDemo;
+import org.dfra.app.demo.stage.Demo;
+import org.dfra.app.demo.stage.Narration;
 import org.dfra.app.figure.RecordOption;
 import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code ./dfra demo}: runs a demonstration, the newest one where none is named. */
+/** {@code ./dfra demo}: runs a demonstration, two robots that search where none is named. */
 @Command(
     name = "demo",
-    description = "Runs a demonstration with real processes on this machine.",
+    description = "Runs a demonstration on this machine.",
     footer = {
       "",
       "Ends with 1 where a step fails, or a measured figure is not as wanted.",
       "",
-      "Demonstrations, the newest first:",
+      "Demonstrations:",
+      "  raster       two robots search a field lane by lane; writes a report",
+      "  recruit      robots call for help and help each other; writes a report",
+      "  devices      one robot in a simulated world, all its devices at work; writes a report",
       "  persona      two robots: modules found by what they can do, kept through failures",
       "  foundation   a GPS receiver found by what it can do, and back after kill -9"
     })
 public final class DemoCommand implements Callable<Integer> {
 
-  /** By name, the newest first. */
-  private static final Map<String, Function<Narration, Demo>> DEMOS = new LinkedHashMap<>();
+  /** By name, that which is played where none is named first. */
+  private final Map<String, BiFunction<Narration, Path, Demo>> demos = new LinkedHashMap<>();
 
-  static {
-    DEMOS.put("persona", PersonaDemo::new);
-    DEMOS.put("foundation", FoundationDemo::new);
+  /** Knows them all; plays none. */
+  public DemoCommand() {
+    demos.put("raster", (narration, folder) -> RasterDemo.of(narration, raster, folder));
+    demos.put("recruit", (narration, folder) -> RecruitDemo.of(narration, raster.speed(), folder));
+    demos.put("devices", DevicesDemo::new);
+    demos.put("persona", (narration, report) -> new PersonaDemo(narration));
+    demos.put("foundation", (narration, report) -> new FoundationDemo(narration));
   }
 
-  @Parameters(
-      arity = "0..1",
-      paramLabel = "NAME",
-      description = "Which one; without it, the newest.")
+  @Parameters(arity = "0..1", paramLabel = "NAME", description = "Which one; without it, raster.")
   private @Nullable String name;
+
+  @Option(
+      names = "--report",
+      paramLabel = "DIR",
+      description = "Where a demonstration that writes a report puts it (default reports/NAME).")
+  private @Nullable Path report;
+
+  @Mixin private final RasterOptions raster = new RasterOptions();
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -54,21 +80,44 @@ public final class DemoCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     PrintWriter out = spec.commandLine().getOut();
-    String chosen = name == null ? DEMOS.keySet().iterator().next() : name;
-    Function<Narration, Demo> demo = DEMOS.get(chosen);
+    String chosen = name == null ? demos.keySet().iterator().next() : name;
+    BiFunction<Narration, Path, Demo> demo = demos.get(chosen);
     if (demo == null) {
       throw new ParameterException(
           spec.commandLine(),
           "there is no demonstration \""
               + chosen
               + "\"; there is "
-              + String.join(", ", DEMOS.keySet()));
+              + String.join(", ", demos.keySet()));
     }
-    Narration narration = new Narration(out, System::nanoTime);
-    if (!demo.apply(narration).run()) {
+    refuseOptionsOfOthers(chosen);
+    Narration narration = new Narration(out, System::nanoTime, Ansi.AUTO.enabled());
+    if (!demo.apply(narration, report == null ? Path.of("reports", chosen) : report).run()) {
       return ExitCode.FAILED;
     }
     record.keep(narration.figures(), "demo", chosen);
     return narration.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
+  }
+
+  /** Options of the raster are understood with it only. */
+  private void refuseOptionsOfOthers(String chosen) {
+    if (chosen.equals("raster")) {
+      return;
+    }
+    Set<String> ofRaster =
+        CommandSpec.forAnnotatedObject(new RasterOptions()).options().stream()
+            .map(OptionSpec::longestName)
+            .collect(Collectors.toSet());
+    for (OptionSpec given : spec.commandLine().getParseResult().matchedOptions()) {
+      boolean isUnderstood = chosen.equals("recruit") && given.longestName().equals("--speed");
+      if (ofRaster.contains(given.longestName()) && !isUnderstood) {
+        throw new ParameterException(
+            spec.commandLine(),
+            given.longestName()
+                + " is for the demonstration raster; "
+                + chosen
+                + " does without it");
+      }
+    }
   }
 }

@@ -31,7 +31,9 @@ public enum Subject {
   /** A lookup service. */
   REGISTRAR,
   /** How far a robot's clock is off this computer's. */
-  CLOCK;
+  CLOCK,
+  /** An effector that is stopped for an emergency. */
+  EMERGENCY_STOP;
 
   /** Its name for people and programs, {@code boot-jar} say. It never changes. */
   public String id() {

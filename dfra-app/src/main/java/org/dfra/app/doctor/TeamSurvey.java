@@ -29,13 +29,15 @@ import org.dfra.app.team.TeamOptions;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
+import org.dfra.persona.StopAttributes;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 
 /** What can be seen of the team: its lookup services, and its robots' clocks. */
-final class TeamSurvey implements RegistrarCheck.Search, ClockCheck.Clocks, AutoCloseable {
+final class TeamSurvey
+    implements RegistrarCheck.Search, ClockCheck.Clocks, StopCheck.Stops, AutoCloseable {
 
   /** How long one peer is waited for; all are asked at once. */
   private static final Duration DEADLINE = Duration.ofMillis(800);
@@ -105,6 +107,19 @@ final class TeamSurvey implements RegistrarCheck.Search, ClockCheck.Clocks, Auto
       measured.add(new Measured(each.getKey(), answer(each.getValue()).orElse(null)));
     }
     return measured;
+  }
+
+  @Override
+  public List<StopCheck.Stopped> stopped() throws InterruptedException {
+    directory.awaitFirstLook(patience);
+    List<StopCheck.Stopped> stopped = new ArrayList<>();
+    for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
+      each.attributes(StopAttributes.class)
+          .filter(StopAttributes::latched)
+          .map(stop -> new StopCheck.Stopped(each.robot(), each.path(), stop))
+          .ifPresent(stopped::add);
+    }
+    return stopped;
   }
 
   /** By the first of a robot's modules that tells. */

@@ -8,5 +8,5 @@ import picocli.CommandLine.Command;
     description = "Listens to a module: what it tells, how often and how much.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {EchoCommand.class, HzCommand.class, BwCommand.class})
+    subcommands = {EchoCommand.class, HzCommand.class, BwCommand.class, NoiseCommand.class})
 public final class EventCommand {}

@@ -27,8 +27,9 @@ import picocli.CommandLine.Parameters;
     description = "Lists who holds leases on a module, or on all of the team's.",
     footer = {
       "",
-      "Clients make a module work, watchers only watch it. A lease expires unless its",
-      "holder renews it; one held in the module's own JVM lasts as long as the module."
+      "Clients make a module work, watchers only watch it; an effector obeys its commander.",
+      "A lease expires unless its holder renews it; one held in the module's own JVM lasts",
+      "as long as the module."
     })
 final class ListCommand implements Callable<Integer> {
 

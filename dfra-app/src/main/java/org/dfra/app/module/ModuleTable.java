@@ -23,7 +23,8 @@ public final class ModuleTable {
       table.row(
           each.path(),
           String.join(", ", each.kinds()),
-          each.state().map(ModuleTable::word).orElse("not known"),
+          each.state().map(ModuleTable::word).orElse("not known")
+              + (each.stopped() ? ", EMERGENCY STOP" : ""),
           Integer.toString(each.clients()),
           each.host(),
           Seen.of(each.stale(), each.confirmed()));

@@ -8,6 +8,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.StopAttributes;
 
 /**
  * A module as its entries tell of it, without asking it.
@@ -16,6 +17,7 @@ import org.dfra.persona.ModuleAttributes;
  * @param name its name
  * @param kinds what it is, such as {@code GPSSensor}
  * @param state how far it has come; absent where its entries do not tell
+ * @param stopped whether it is an effector that is stopped for an emergency
  * @param clients how many clients hold a lease on it
  * @param host address of the computer it runs on
  * @param locality how near it is
@@ -28,6 +30,7 @@ public record ModuleView(
     String name,
     List<String> kinds,
     Optional<Readiness> state,
+    boolean stopped,
     int clients,
     String host,
     Locality locality,
@@ -47,6 +50,7 @@ public record ModuleView(
         listing.name(),
         Kinds.names(listing.module()),
         attributes.map(ModuleAttributes::state),
+        listing.attributes(StopAttributes.class).filter(StopAttributes::latched).isPresent(),
         attributes.map(ModuleAttributes::clients).orElse(0),
         attributes.map(ModuleAttributes::host).orElse(""),
         listing.locality(),

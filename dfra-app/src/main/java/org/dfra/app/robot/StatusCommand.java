@@ -12,6 +12,7 @@ import org.dfra.app.terminal.Table;
 import org.dfra.core.config.RobotXml;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.KeptStops;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +41,11 @@ public final class StatusCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private Answer answer;
 
-  /** A group as it is told of. */
+  /**
+   * A group as it is told of.
+   *
+   * @param stopped its effectors that are stopped for an emergency
+   */
   record Group(
       String robot,
       String group,
@@ -50,6 +55,7 @@ public final class StatusCommand implements Callable<Integer> {
       int crashes,
       @Nullable String lastCrash,
       List<String> services,
+      List<String> stopped,
       String log) {}
 
   @Override
@@ -62,7 +68,7 @@ public final class StatusCommand implements Callable<Integer> {
     List<Group> groups = new ArrayList<>();
     for (ServiceGroup each : Inventory.of(phoenix)) {
       if (wanted.isEmpty() || wanted.contains(each.robot())) {
-        groups.add(group(each));
+        groups.add(group(each, phoenix.state()));
       }
     }
     Table table = new Table("GROUP", "STATE", "PROCESS", "STARTS", "CRASHES", "SERVICES");
@@ -76,10 +82,16 @@ public final class StatusCommand implements Callable<Integer> {
           String.join(", ", each.services()));
     }
     answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
+    if (!answer.isJson()) {
+      for (Group each : groups) {
+        Stops.sentences(phoenix.state(), each.robot(), each.stopped())
+            .forEach(sentence -> answer.line(sentence, sentence + "."));
+      }
+    }
     return ExitCode.WELL;
   }
 
-  private static Group group(ServiceGroup group) {
+  private static Group group(ServiceGroup group, Path kept) {
     GroupStatus status = group.status();
     List<String> services = new ArrayList<>();
     if (group.registrar()) {
@@ -96,6 +108,7 @@ public final class StatusCommand implements Callable<Integer> {
         status.totalCrashes(),
         status.lastCrash(),
         services,
+        List.copyOf(KeptStops.latched(kept, group.robot(), group.modules()).keySet()),
         status.output());
   }
 }

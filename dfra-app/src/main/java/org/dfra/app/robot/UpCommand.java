@@ -12,6 +12,7 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.robot.Rehearsal;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
@@ -52,15 +53,17 @@ public final class UpCommand implements Callable<Integer> {
    *
    * @param name {@code robot/module}, or {@code robot/registrar}
    * @param group name of its service group
+   * @param stopped whether it is an effector that is stopped for an emergency
    */
-  record Up(String name, String group) {}
+  record Up(String name, String group, boolean stopped) {}
 
   @Override
   public Integer call() throws Exception {
     List<RobotDescription> robots = new ArrayList<>();
-    for (Path each : xml) { // all are read before anything is begun
+    for (Path each : xml) { // all are read and tried before anything is begun
       robots.add(RobotXml.read(each));
     }
+    robots.forEach(Rehearsal::of);
     PhoenixProcess phoenix = options.last();
     if (!phoenix.answers()) {
       // Its address is in every proxy that brings a module back, so others must reach it too.
@@ -77,8 +80,11 @@ public final class UpCommand implements Callable<Integer> {
     for (RobotDescription robot : robots) {
       RobotBootstrap bootstrap = new RobotBootstrap(phoenix, robot);
       for (RobotBootstrap.Service service : bootstrap.up()) {
-        services.add(new Up(service.name(), service.group()));
+        String module = service.name().substring(service.name().indexOf('/') + 1);
+        List<String> stops = Stops.sentences(phoenix.state(), robot.name(), List.of(module));
+        services.add(new Up(service.name(), service.group(), !stops.isEmpty()));
         say("Up: " + service.name() + " in group " + service.group() + ".");
+        stops.forEach(each -> say("But " + each + "."));
       }
       sayClasses(bootstrap);
     }

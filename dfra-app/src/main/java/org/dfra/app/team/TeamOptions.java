@@ -152,7 +152,7 @@ public final class TeamOptions {
   /** The registrars that were named by option or variable, as {@code jini://host:port}. */
   public List<String> namedLocators() {
     List<String> named =
-        locators == null ? words(either(null, "DFRA_LOCATORS", "")) : Arrays.asList(locators);
+        words(locators == null ? either(null, "DFRA_LOCATORS", "") : String.join(",", locators));
     return named.stream()
         .map(each -> each.startsWith("jini://") ? each : "jini://" + each)
         .toList();

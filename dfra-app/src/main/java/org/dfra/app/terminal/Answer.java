@@ -1,6 +1,7 @@
 package org.dfra.app.terminal;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonMappingException;
 import java.io.PrintWriter;
 import java.lang.reflect.Type;
 import java.time.Duration;
@@ -124,7 +125,25 @@ public final class Answer {
     } else if (type instanceof Class<?> c && c.isPrimitive()) {
       return "write a number";
     }
-    return "write it in JSON (" + e.getOriginalMessage() + ")";
+    String within = within(e);
+    return within.isEmpty()
+        ? "write it in JSON (" + e.getOriginalMessage() + ")"
+        : "its \""
+            + within
+            + "\" cannot be read (time spans are seconds, instants ISO 8601): "
+            + e.getOriginalMessage();
+  }
+
+  /**
+   * Which part of a record is wrong, such as {@code place.latitude}; empty where that is unknown.
+   */
+  private static String within(JsonProcessingException e) {
+    return e instanceof JsonMappingException mapping
+        ? mapping.getPath().stream()
+            .map(JsonMappingException.Reference::getFieldName)
+            .filter(name -> name != null)
+            .collect(Collectors.joining("."))
+        : "";
   }
 
   private static boolean isEnum(Type type) {

@@ -25,7 +25,7 @@ public final class Inline {
                 }
               });
       return String.join(", ", parts);
-    } else if (node.isArray()) {
+    } else if (node.isArray() && !Outline.isLong(node)) {
       List<String> parts = new ArrayList<>();
       node.elements().forEachRemaining(each -> parts.add(inner(each)));
       return String.join(" ", parts);

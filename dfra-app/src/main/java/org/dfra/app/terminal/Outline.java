@@ -1,6 +1,7 @@
 package org.dfra.app.terminal;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.BinaryNode;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.Locale;
 final class Outline {
 
   private static final String INDENT = "  ";
+  private static final int LONGEST_LIST = 24;
 
   private final List<String> lines = new ArrayList<>();
 
@@ -70,9 +72,34 @@ final class Outline {
     return true;
   }
 
+  /** Whether it is so many numbers, a scan's say, that nobody reads them one by one. */
+  static boolean isLong(JsonNode value) {
+    return value.isArray() && value.size() > LONGEST_LIST && value.get(0).isNumber();
+  }
+
+  /** {@code 361 numbers, 0.52 to 7.98}; those that are not finite are counted, not compared. */
+  private static String summary(JsonNode numbers) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = Double.NEGATIVE_INFINITY;
+    for (JsonNode each : numbers) {
+      double number = each.asDouble(Double.NaN);
+      if (Double.isFinite(number)) {
+        least = Math.min(least, number);
+        most = Math.max(most, number);
+      }
+    }
+    return numbers.size()
+        + " numbers"
+        + (least > most ? ", none finite" : ", " + number(least) + " to " + number(most));
+  }
+
   /** A value in a few words. */
   static String text(JsonNode value) {
-    if (value.isNull() || value.isMissingNode()) {
+    if (value.isBinary()) {
+      return ((BinaryNode) value).binaryValue().length + " bytes";
+    } else if (isLong(value)) {
+      return summary(value);
+    } else if (value.isNull() || value.isMissingNode()) {
       return "not known";
     } else if (value.isContainerNode()) {
       List<String> texts = new ArrayList<>();

@@ -49,6 +49,7 @@ class CompletionTest {
     "dfra doctor --lo, --locator",
     "dfra te, test",
     "dfra test --int, --integration",
+    "dfra test --se, --seed",
     "dfra di, dist",
   })
   void bashCompletes(String typed, String word) throws Exception {

@@ -13,6 +13,7 @@ import java.util.List;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.dfra.persona.StopAttributes;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -124,5 +125,21 @@ class TeamChecksTest {
   private static InstantSource instants(long... millis) {
     Iterator<Instant> all = Arrays.stream(millis).mapToObj(Instant::ofEpochMilli).iterator();
     return all::next;
+  }
+
+  @Test
+  void anEffectorThatIsStoppedForAnEmergencyIsAWarning() throws Exception {
+    StopAttributes stop =
+        new StopAttributes(true, "ops at 192.0.2.7", Instant.parse("2026-11-21T12:00:00Z"));
+    assertThat(
+            new StopCheck(() -> List.of(new StopCheck.Stopped("atrv1", "atrv1/drive", stop)))
+                .examine())
+        .containsExactly(
+            Finding.warn(
+                Subject.EMERGENCY_STOP,
+                "atrv1/drive is stopped since 2026-11-21T12:00:00Z, by ops at 192.0.2.7, and obeys"
+                    + " nobody",
+                "When it is safe, release it: ./dfra stop --release atrv1."));
+    assertThat(new StopCheck(List::of).examine()).isEmpty();
   }
 }

@@ -1,0 +1,241 @@
+package org.dfra.app.demo.devices;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.devices.DevicesReport.Photo;
+import org.dfra.app.demo.stage.Checks;
+import org.dfra.app.demo.stage.Demo;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.stage.Performance;
+import org.dfra.app.demo.stage.SimulatedField;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.terminal.Table;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltEffector;
+import org.dfra.flow.effector.PanTiltState;
+import org.dfra.flow.sensor.CameraImage;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One robot in a simulated world: its devices are found by what they can do, a script drives it
+ * around a square, the process that drives is killed on the way, and everything that was seen goes
+ * into a report.
+ */
+public final class DevicesDemo implements Demo {
+
+  private static final String WORLD = "yard.xml";
+  private static final String ROBOT = "atrv1";
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration LEASE = Duration.ofSeconds(3);
+  private static final int STANDING_RATES = 200; // readings of the gyro
+  private static final double HEAD_SPEED = 1; // rad/s
+
+  /** The side, counted from 0, on whose middle the drive is killed. */
+  private static final int FATAL_SIDE = 1;
+
+  private final Narration tell;
+  private final Path report;
+  private @Nullable Instant killed;
+  private @Nullable Instant lastCommand;
+
+  /**
+   * @param report the folder of its report
+   */
+  public DevicesDemo(Narration narration, Path report) {
+    this.tell = narration;
+    this.report = report;
+  }
+
+  @Override
+  public boolean run() {
+    return Performance.of(tell, this::play);
+  }
+
+  private void play(Stage stage) throws Exception {
+    tell.chapter("starting the world", "A world begins, and a robot comes up in it");
+    Instant begin = Instant.now();
+    SimulatedField field = SimulatedField.start(stage, WORLD);
+    Map<String, String> links = field.links(ROBOT);
+    tell.say(
+        "The simulated world \"%s\" runs in a process of its own. %d lines lead to devices of %s;"
+            + " each speaks its device's own bytes, so the real drivers read them.",
+        field.beginning().world(), links.size(), ROBOT);
+    FieldRobot robot = FieldRobot.of(stage, "simulated", ROBOT, links);
+    Narration.Stopwatch coldStart = tell.stopwatch();
+    List<RobotBootstrap.Service> services = robot.bringUp();
+    tell.say(
+        "The robot is up after %s: %s, in service groups under phoenix.",
+        Wording.seconds(coldStart.elapsed()),
+        services.stream().map(RobotBootstrap.Service::name).collect(Collectors.joining(", ")));
+    try (ModuleDirectory directory =
+        new JiniModuleDirectory(Stage.ADDRESS, List.of(), List.of(robot.locator()))) {
+      RobotDevices devices = new RobotDevices(directory);
+      meet(devices, coldStart);
+      GeoPosition datum = datum(field);
+      try (Streams streams = new Streams(devices, datum, begin);
+          Heading heading = new Heading(devices.one(devices.gyro).module())) {
+        streams.map.mounted(devices.one(devices.laser).module().localTransform());
+        drive(stage, robot, devices, streams, heading);
+        List<Photo> photos = lookAround(devices, streams);
+        judge(field, begin);
+        write(field, streams, begin, photos);
+      }
+    }
+  }
+
+  private static GeoPosition datum(SimulatedField field) {
+    return field.beginning().datum();
+  }
+
+  private void meet(RobotDevices devices, Narration.Stopwatch sinceColdStart) throws Exception {
+    tell.chapter("finding the devices", "A client asks for what it needs");
+    Checks.await("that every device works", PATIENCE, devices::areAllAnswered);
+    Duration cold = sinceColdStart.elapsed();
+    Table table = new Table("NEEDED", "FOUND");
+    for (RobotDevices.Question<?> each : devices.questions()) {
+      ModuleListing<?> answer = devices.one(each);
+      table.row(each.need(), answer.path());
+    }
+    tell.show(table.lines());
+    tell.say("Each was found by what it can do; no name is in the client's code.");
+    tell.figure("cold start to every device working and shown", cold, Duration.ofSeconds(20));
+  }
+
+  private void drive(
+      Stage stage, FieldRobot robot, RobotDevices devices, Streams streams, Heading heading)
+      throws Exception {
+    tell.chapter("driving the square", "It drives a square, and loses its drive on the way");
+    Checks.await(
+        "that the gyro tells its rate", PATIENCE, () -> heading.standingRates() >= STANDING_RATES);
+    tell.say(
+        "The robot stands, so what its gyro tells is the gyro's bias: %.4f rad/s.",
+        heading.calibrate());
+    DriveEffector drive = devices.one(devices.drive).module();
+    long process = robot.process("drive");
+    SquareScript[] script = new SquareScript[1];
+    script[0] =
+        new SquareScript(
+            drive,
+            streams.odometry,
+            streams.track,
+            heading,
+            (side, metres) -> {
+              if (killed == null && side == FATAL_SIDE && metres > SquareScript.SIDE / 2) {
+                kill(stage, process, script[0].lastCommand());
+              }
+            });
+    Narration.Stopwatch watch = tell.stopwatch();
+    script[0].run();
+    tell.say(
+        "Phoenix brought the drive back as process %d. The script's command lease had died with"
+            + " the old one; it took a new one, looked where it was, and finished the square. That"
+            + " took %s in all.",
+        robot.process("drive"), Wording.seconds(watch.elapsed()));
+    Checks.require(killed != null, "the drive was never killed");
+    Checks.require(
+        script[0].resumptions() > 0, "the script never noticed that its drive was killed");
+  }
+
+  private void kill(Stage stage, long process, Instant lastSent) throws Exception {
+    stage.signal("KILL", process);
+    killed = Instant.now();
+    lastCommand = lastSent;
+    tell.say(
+        "On the second side, at full speed, process %d was killed: the one that drives. Nobody is"
+            + " left who could tell the wheels to stop.",
+        process);
+  }
+
+  private List<Photo> lookAround(RobotDevices devices, Streams streams) throws Exception {
+    tell.chapter("turning the head", "It turns its head, and its cameras with it");
+    PanTiltEffector head = devices.one(devices.panTilt).module();
+    List<Photo> photos = new ArrayList<>();
+    try (CommandLease lease = head.command(LEASE)) {
+      for (double pan : new double[] {0, Math.PI / 4, -Math.PI / 4}) {
+        double down = -0.2;
+        head.obey(lease.key(), new Point(pan, down, HEAD_SPEED));
+        Checks.await(
+            "that the head points there",
+            PATIENCE,
+            () -> {
+              @Nullable PanTiltState state = streams.panTilt.last();
+              return state != null && Math.abs(state.pan() - pan) < 0.01 && !state.isMoving();
+            });
+        String where =
+            pan == 0
+                ? "ahead"
+                : Math.round(Math.toDegrees(Math.abs(pan)))
+                    + (pan > 0 ? "° to the left" : "° to the right");
+        photos.add(new Photo(next(streams.camera), "Light, head turned " + where));
+        photos.add(new Photo(next(streams.thermal), "Heat, head turned " + where));
+      }
+    }
+    tell.say(
+        "Head and cameras are modules of their own. The cameras' frames are rendered from the world"
+            + " through the pose of the head they stand on; %d images are in the report.",
+        photos.size());
+    return photos;
+  }
+
+  /** An image that was begun after this was called. */
+  private static CameraImage next(StreamLog<CameraImage> camera) throws Exception {
+    CameraImage unused = await(camera, camera.count());
+    return await(camera, camera.count());
+  }
+
+  private static CameraImage await(StreamLog<CameraImage> camera, long before) throws Exception {
+    @Nullable CameraImage image = camera.next(before, PATIENCE);
+    if (image == null) {
+      throw new IOException("no image of " + camera.path() + " came");
+    }
+    return image;
+  }
+
+  private void judge(SimulatedField field, Instant begin) throws Exception {
+    tell.chapter("looking at the truth", "What truly happened");
+    Truth truth = Truth.read(field.truth(), ROBOT, begin);
+    Instant moment = java.util.Objects.requireNonNull(killed);
+    Instant command = java.util.Objects.requireNonNull(lastCommand);
+    @Nullable Instant stood = truth.stoodFrom(moment);
+    Checks.require(stood != null, "the robot never stood still after its drive was killed");
+    double speed = truth.speedAt(moment);
+    Duration sinceCommand = Duration.between(command, stood);
+    tell.say(
+        "At %.2f m/s the drive's process died. The wheels stood %s after the last command: their"
+            + " controller stops when nobody speaks to it.",
+        speed, Wording.seconds(sinceCommand));
+    Checks.require(speed > 0.3, "the robot was hardly moving when its drive was killed");
+    tell.figure("drive's last command to the robot standing", sinceCommand, Duration.ofMillis(500));
+    tell.say(
+        "The square ended %.2f m from where it began: what the wheels rolled while their driver was"
+            + " dead was counted by nobody, and they slip.",
+        truth.closingError());
+  }
+
+  private void write(SimulatedField field, Streams streams, Instant begin, List<Photo> photos)
+      throws Exception {
+    tell.chapter("writing the report", "The report");
+    long silent = streams.all().stream().filter(each -> each.count() == 0).count();
+    Checks.require(silent == 0, silent + " streams told nothing");
+    Truth truth = Truth.read(field.truth(), ROBOT, begin);
+    Path file =
+        new DevicesReport(streams, truth, begin, java.util.Objects.requireNonNull(killed))
+            .write(report, tell.figures().all(), photos, field.truth());
+    tell.say("Plots of every stream are in %s, the numbers beside it as CSV.", file);
+  }
+}

@@ -1,0 +1,217 @@
+package org.dfra.app.demo.devices;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.plot.Axis;
+import org.dfra.app.plot.HtmlReport;
+import org.dfra.app.plot.LinePanel;
+import org.dfra.app.plot.Page;
+import org.dfra.app.plot.PathPanel;
+import org.dfra.app.plot.Series;
+import org.dfra.flow.sensor.CameraImage;
+
+/** Writes what was seen: a page with plots of every stream, and every number as CSV. */
+final class DevicesReport {
+
+  private static final Axis TIME = Axis.of("time", "s");
+
+  private final Streams streams;
+  private final Truth truth;
+  private final double killed; // seconds
+  private final HtmlReport html;
+
+  /**
+   * @param begin when the demonstration began
+   * @param killed when the drive's group was killed
+   */
+  DevicesReport(Streams streams, Truth truth, Instant begin, Instant killed) {
+    this.streams = streams;
+    this.truth = truth;
+    this.killed = Duration.between(begin, killed).toNanos() / 1e9;
+    this.html = new HtmlReport("One robot, all its devices");
+  }
+
+  /**
+   * Writes it.
+   *
+   * @param photos that were taken with the head turned, each with its caption
+   * @return the file to open
+   */
+  Path write(Path folder, List<Figure> figures, List<Photo> photos, Path truthCsv)
+      throws IOException {
+    Files.createDirectories(folder);
+    streams.write(folder);
+    Files.copy(
+        truthCsv, folder.resolve("truth.csv"), java.nio.file.StandardCopyOption.REPLACE_EXISTING);
+    html.paragraph(
+        "A robot of the simulated world drove a square of "
+            + String.format(Locale.ROOT, "%.0f m", SquareScript.SIDE)
+            + " by a script. Each device spoke its own bytes to its real driver, in a service group"
+            + " of its own under phoenix (mode: processes; the seed fixes world and noise, not"
+            + " scheduling). The process that drives the wheels was killed on the second side.");
+    table(figures);
+    html.heading("Where it went").figure(paths(), "The square: truly, by odometry, and by GPS.");
+    html.heading("What it was told and did").figure(motion(), "Motion over time.");
+    html.heading("What the laser saw")
+        .figure(laser(), "Ends of the beams, by the odometry at that time; ghosts included.");
+    html.heading("What its cameras saw");
+    for (Photo photo : photos) {
+      html.picture(png(photo.image()), "image/png", photo.caption());
+    }
+    html.heading("The other streams").figure(others(), "GPS, battery, head and laser over time.");
+    html.heading("Every stream");
+    streamTable();
+    Path file = folder.resolve("report.html");
+    html.write(file);
+    return file;
+  }
+
+  /**
+   * An image that was taken on the way.
+   *
+   * @param caption what it shows
+   */
+  record Photo(CameraImage image, String caption) {}
+
+  private void table(List<Figure> figures) {
+    List<List<String>> rows = new ArrayList<>();
+    for (Figure each : figures) {
+      rows.add(
+          List.of(
+              each.what(),
+              String.format(Locale.ROOT, "%.3g %s", each.measured(), each.unit()),
+              String.format(Locale.ROOT, "≤ %.3g %s", each.most(), each.unit())));
+    }
+    html.table(List.of("Figure", "Measured", "Wanted"), rows);
+  }
+
+  private Page paths() {
+    double[][] odometry = streams.odometry.series("x_m");
+    double[][] across = streams.odometry.series("y_m");
+    double[][] placed = truth.place(odometry[1], across[1]);
+    return new Page("The square")
+        .row(
+            520,
+            new PathPanel("Field", Axis.of("east", "m"), Axis.of("north", "m"))
+                .add(
+                    Series.line("truly", truth.east(), truth.north()),
+                    Series.line("odometry", placed[0], placed[1]),
+                    Series.points(
+                        "GPS fixes",
+                        streams.gps.series("east_m")[1],
+                        streams.gps.series("north_m")[1])));
+  }
+
+  private Page motion() {
+    double[][] told = streams.drive.series("speed_mps");
+    double[][] wheels = streams.odometry.series("speed_mps");
+    double[][] gyro = streams.gyro.series("rate_radps");
+    double[][] turning = streams.odometry.series("turn_rate_radps");
+    return new Page("Motion")
+        .row(
+            260,
+            new LinePanel("Speed", TIME, Axis.of("speed", "m/s"))
+                .add(
+                    Series.steps("commanded", told[0], told[1]),
+                    Series.line("odometry", wheels[0], wheels[1]),
+                    Series.line("truly", truth.seconds(), truth.speed()))
+                .moment(killed, "drive killed"))
+        .row(
+            260,
+            new LinePanel("Rate of turn", TIME, Axis.of("rate", "rad/s"))
+                .add(
+                    Series.line("gyro", gyro[0], gyro[1]),
+                    Series.line("odometry", turning[0], turning[1]))
+                .moment(killed, "drive killed"));
+  }
+
+  private Page laser() {
+    double[][] points = streams.map.points();
+    double[][] placed = truth.place(points[0], points[1]);
+    return new Page("Laser")
+        .row(
+            520,
+            new PathPanel("Ends of beams", Axis.of("east", "m"), Axis.of("north", "m"))
+                .add(
+                    Series.points("beams", placed[0], placed[1]),
+                    Series.line("the robot, truly", truth.east(), truth.north())));
+  }
+
+  private Page others() {
+    double[][] voltage = streams.battery.series("voltage_v");
+    double[][] pan = streams.panTilt.series("pan_rad");
+    double[][] tilt = streams.panTilt.series("tilt_rad");
+    double[][] nearest = streams.laser.series("nearest_m");
+    double[][] satellites = streams.gps.series("satellites");
+    return new Page("The other streams")
+        .row(
+            230,
+            new LinePanel("Nearest thing", TIME, Axis.of("range", "m"))
+                .add(Series.line("laser", nearest[0], nearest[1])),
+            new LinePanel("Battery", TIME, Axis.of("voltage", "V"))
+                .add(Series.line("terminals", voltage[0], voltage[1])))
+        .row(
+            230,
+            new LinePanel("Head", TIME, Axis.of("angle", "rad"))
+                .add(Series.line("pan", pan[0], pan[1]), Series.line("tilt", tilt[0], tilt[1])),
+            new LinePanel("Satellites", TIME, Axis.of("tracked", ""))
+                .add(Series.steps("GPS", satellites[0], satellites[1])));
+  }
+
+  private void streamTable() {
+    List<List<String>> rows = new ArrayList<>();
+    for (StreamLog<?> each : streams.all()) {
+      rows.add(
+          List.of(
+              each.path(),
+              each.type(),
+              Long.toString(each.count()),
+              String.format(Locale.ROOT, "%.1f Hz", each.rate()),
+              String.format(Locale.ROOT, "%.2f s", each.longestGap()),
+              Long.toString(each.lost())));
+    }
+    html.table(List.of("Module", "Readings", "Came", "Rate", "Longest gap", "Lost events"), rows);
+  }
+
+  /** As an image that any browser shows: heat is stretched from its coldest to its warmest. */
+  private static byte[] png(CameraImage image) throws IOException {
+    BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(image.data()));
+    if (decoded == null) {
+      throw new IOException("an image of " + image.frame() + " cannot be decoded");
+    }
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(
+        image.band() == CameraImage.Band.THERMAL ? stretched(decoded) : decoded, "png", out);
+    return out.toByteArray();
+  }
+
+  private static BufferedImage stretched(BufferedImage heat) {
+    int width = heat.getWidth();
+    int height = heat.getHeight();
+    int[] levels = heat.getRaster().getSamples(0, 0, width, height, 0, (int[]) null);
+    int coldest = Integer.MAX_VALUE;
+    int warmest = Integer.MIN_VALUE;
+    for (int level : levels) {
+      coldest = Math.min(coldest, level);
+      warmest = Math.max(warmest, level);
+    }
+    BufferedImage grey = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);
+    int span = Math.max(1, warmest - coldest);
+    for (int i = 0; i < levels.length; i++) {
+      levels[i] = (levels[i] - coldest) * 255 / span;
+    }
+    grey.getRaster().setSamples(0, 0, width, height, 0, levels);
+    return grey;
+  }
+}

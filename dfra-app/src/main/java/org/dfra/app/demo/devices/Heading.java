@@ -1,0 +1,82 @@
+package org.dfra.app.demo.devices;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.flow.sensor.AngularRate;
+import org.dfra.flow.sensor.AngularRateSensor;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How far the robot has turned since it began, by its gyro: the rates added up, less the gyro's
+ * bias, which is their mean while the robot stands at the beginning.
+ */
+final class Heading implements ModuleListener, AutoCloseable {
+
+  private static final int DEPTH = 500;
+
+  private final Subscription subscription;
+
+  // all guarded by this
+  private double heading;
+  private double sum;
+  private int count;
+  private @Nullable Double bias;
+  private @Nullable Instant last;
+
+  Heading(AngularRateSensor gyro) throws RemoteException {
+    this.subscription = gyro.subscribe(this, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+  }
+
+  @Override
+  public synchronized void notify(Delivery delivery) {
+    if (delivery.event() instanceof ModuleEvent.NewReading told
+        && told.reading() instanceof AngularRate rate) {
+      if (bias == null) {
+        sum += rate.rate();
+        count++;
+      } else if (last != null) {
+        double seconds = Duration.between(last, rate.measured()).toNanos() / 1e9;
+        heading += (rate.rate() - bias) * seconds;
+      }
+      last = rate.measured();
+      notifyAll();
+    }
+  }
+
+  /**
+   * The robot has stood until now: what the gyro said was its bias.
+   *
+   * @return it, radians per second
+   * @throws IllegalStateException if the gyro has said nothing
+   */
+  synchronized double calibrate() {
+    if (count == 0) {
+      throw new IllegalStateException("the gyro has told no rate yet");
+    }
+    double mean = sum / count;
+    bias = mean;
+    return mean;
+  }
+
+  /** How many rates have come before it was calibrated. */
+  synchronized int standingRates() {
+    return count;
+  }
+
+  /** Radians since it was calibrated, to the left is +, not wrapped. */
+  synchronized double now() {
+    return heading;
+  }
+
+  @Override
+  public void close() {
+    subscription.close();
+  }
+}

@@ -1,0 +1,61 @@
+package org.dfra.app.demo.devices;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.flow.sensor.RangeScan;
+import org.dfra.geometry.Transform;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where laser beams ended, by the odometry at that time: in the frame in which the robot started.
+ * Safe for use by several threads.
+ */
+final class ScanMap {
+
+  /** One beam in so many, of one scan in so many: enough to see walls by. */
+  private static final int BEAMS = 3;
+
+  private static final int SCANS = 3;
+
+  private final List<double[]> points = new ArrayList<>(); // guarded by this
+  private @Nullable Odometry pose; // guarded by this
+  private Transform mount = Transform.IDENTITY; // guarded by this
+  private int scans; // guarded by this
+
+  /** Where the laser is mounted on the robot. */
+  synchronized void mounted(Transform on) {
+    mount = on;
+  }
+
+  /** The robot is there now. */
+  synchronized void at(Odometry now) {
+    pose = now;
+  }
+
+  /** Takes a scan from where the robot is now. */
+  synchronized void add(RangeScan scan) {
+    @Nullable Odometry at = pose;
+    if (at == null || scans++ % SCANS != 0) {
+      return;
+    }
+    double cos = Math.cos(at.yaw());
+    double sin = Math.sin(at.yaw());
+    for (int i = 0; i < scan.beams(); i += BEAMS) {
+      if (scan.isMeasured(i)) {
+        double angle = mount.yaw() + scan.angle(i);
+        double x = mount.x() + scan.range(i) * Math.cos(angle);
+        double y = mount.y() + scan.range(i) * Math.sin(angle);
+        points.add(new double[] {at.x() + cos * x - sin * y, at.y() + sin * x + cos * y});
+      }
+    }
+  }
+
+  /** Every point as {@code {x, y}}, metres. */
+  synchronized double[][] points() {
+    return new double[][] {
+      points.stream().mapToDouble(point -> point[0]).toArray(),
+      points.stream().mapToDouble(point -> point[1]).toArray()
+    };
+  }
+}

@@ -1,0 +1,191 @@
+package org.dfra.app.demo.devices;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Brake;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.NotReadyException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Drives a square: straight on by odometry, around the corner by gyro. It commands the drive each
+ * time that odometry comes; where that or the drive falls silent, it waits for them, takes the
+ * command anew, and goes on where it was.
+ */
+final class SquareScript {
+
+  /** Length of a side, metres. */
+  static final double SIDE = 4;
+
+  private static final int SIDES = 4;
+  private static final double SPEED = 0.8; // m/s
+  private static final double SLOWEST = 0.1; // m/s
+  private static final double TURN_RATE = 0.8; // rad/s
+  private static final double SLOWEST_TURN = 0.15; // rad/s
+  private static final double TURNED = 0.02; // rad
+  private static final Duration LEASE = Duration.ofSeconds(3);
+  private static final Duration SILENCE = Duration.ofMillis(500);
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+  /** Is told how far it is. */
+  @FunctionalInterface
+  interface Progress {
+
+    /**
+     * @param side counted from 0
+     * @param metres on this side so far
+     */
+    void on(int side, double metres) throws Exception;
+  }
+
+  private final DriveEffector drive;
+  private final StreamLog<Odometry> odometry;
+  private final Track track;
+  private final Heading heading;
+  private final Progress progress;
+
+  private @Nullable CommandLease lease;
+  private Instant lastCommand = Instant.MIN;
+  private int resumptions;
+  private long seen;
+
+  SquareScript(
+      DriveEffector drive,
+      StreamLog<Odometry> odometry,
+      Track track,
+      Heading heading,
+      Progress progress) {
+    this.drive = drive;
+    this.odometry = odometry;
+    this.track = track;
+    this.heading = heading;
+    this.progress = progress;
+  }
+
+  /** Drives it, from beginning to end. */
+  void run() throws Exception {
+    takeCommand();
+    try {
+      for (int side = 0; side < SIDES; side++) {
+        straight(side, side * Math.PI / 2);
+        corner((side + 1) * Math.PI / 2);
+      }
+    } finally {
+      if (lease != null) {
+        lease.close();
+      }
+    }
+  }
+
+  /** When the last command was sent that the drive took. */
+  Instant lastCommand() {
+    return lastCommand;
+  }
+
+  /** How often it had to take the command anew. */
+  int resumptions() {
+    return resumptions;
+  }
+
+  private void straight(int side, double course) throws Exception {
+    @Nullable Odometry from = null;
+    while (true) {
+      @Nullable Odometry now = nextPose();
+      if (now == null) {
+        resume();
+        continue;
+      }
+      from = from == null ? now : from;
+      double metres = Math.hypot(now.x() - from.x(), now.y() - from.y());
+      double left = SIDE - metres;
+      if (left <= 0) {
+        command(Velocity.ZERO);
+        return;
+      }
+      double speed = Math.max(SLOWEST, Math.min(SPEED, left));
+      double turnRate = Math.max(-0.5, Math.min(0.5, 1.5 * (course - heading.now())));
+      if (command(new Velocity(speed, turnRate))) {
+        progress.on(side, metres);
+      }
+    }
+  }
+
+  private void corner(double course) throws Exception {
+    while (true) {
+      if (nextPose() == null) {
+        resume();
+        continue;
+      }
+      double left = course - heading.now();
+      if (Math.abs(left) < TURNED) {
+        command(Velocity.ZERO);
+        return;
+      }
+      double rate = Math.max(SLOWEST_TURN, Math.min(TURN_RATE, 1.5 * Math.abs(left)));
+      command(new Velocity(0, Math.copySign(rate, left)));
+    }
+  }
+
+  /** Where the robot is when the next count has come; null where none comes. */
+  private @Nullable Odometry nextPose() throws InterruptedException {
+    @Nullable Odometry counted = odometry.next(seen, SILENCE);
+    seen = odometry.count();
+    return counted == null ? null : track.pose();
+  }
+
+  /** Whether the drive has taken it. */
+  private boolean command(Velocity velocity) throws Exception {
+    CommandLease held = lease;
+    if (held == null) {
+      return false;
+    }
+    try {
+      Instant now = Instant.now();
+      drive.obey(held.key(), velocity);
+      lastCommand = now;
+      return true;
+    } catch (CommandRefusedException | NotReadyException | RemoteException e) {
+      resume();
+      return false;
+    }
+  }
+
+  /** The drive was lost, or its odometry: waits for it and takes the command anew. */
+  private void resume() throws Exception {
+    if (lease != null) {
+      lease.close();
+      lease = null;
+    }
+    takeCommand();
+    resumptions++;
+  }
+
+  private void takeCommand() throws IOException, InterruptedException {
+    long end = System.nanoTime() + PATIENCE.toNanos();
+    Exception why = null;
+    while (System.nanoTime() - end < 0) {
+      try {
+        if (drive.awaitReadiness(Duration.ofSeconds(1)).serves()) {
+          CommandLease taken = drive.command(LEASE);
+          lease = taken;
+          drive.obey(taken.key(), new Brake(false)); // the field is level
+          return;
+        }
+      } catch (LeaseRefusedException
+          | CommandRefusedException
+          | NotReadyException
+          | RemoteException e) {
+        why = e;
+        odometry.next(odometry.count(), SILENCE); // it comes again when the drive does
+      }
+    }
+    throw new IOException("nobody could take the command of the drive again", why);
+  }
+}

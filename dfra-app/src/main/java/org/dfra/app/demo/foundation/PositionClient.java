@@ -1,0 +1,58 @@
+package org.dfra.app.demo.foundation;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.List;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.module.Readiness;
+import org.dfra.river.lookup.JiniModuleDirectory;
+
+/**
+ * A client that knows one interface, {@link GPSSensor}, and where to look for lookup services:
+ * neither the robot's name, nor the receiver's make, nor where it runs.
+ */
+final class PositionClient implements AutoCloseable {
+
+  private final ModuleDirectory directory;
+  private final GPSSensor gps;
+
+  private PositionClient(ModuleDirectory directory, GPSSensor gps) {
+    this.directory = directory;
+    this.gps = gps;
+  }
+
+  /** Finds a GPS receiver through discovery and lookup. */
+  static PositionClient find(String locator, Duration patience)
+      throws IOException, InterruptedException {
+    ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), List.of(locator));
+    GPSSensor gps =
+        directory
+            .find(GPSSensor.class, patience)
+            .orElseThrow(() -> new IOException("no GPS receiver was found at " + locator));
+    return new PositionClient(directory, gps);
+  }
+
+  /** The proxy; always the same one. */
+  GPSSensor gps() {
+    return gps;
+  }
+
+  /** Waits for the receiver's first fix and reads it, by remote calls. */
+  GpsFix position(Duration patience) throws RemoteException {
+    Readiness readiness = gps.awaitReadiness(patience);
+    if (!readiness.serves()) {
+      throw new RemoteException(
+          gps.identification().path() + " is still " + readiness + " after " + patience);
+    }
+    return gps.fix();
+  }
+
+  @Override
+  public void close() {
+    directory.close();
+  }
+}

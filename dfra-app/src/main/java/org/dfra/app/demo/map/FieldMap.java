@@ -1,0 +1,102 @@
+package org.dfra.app.demo.map;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.dfra.app.plot.Axis;
+import org.dfra.app.plot.PathPanel;
+import org.dfra.app.plot.Series;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.description.MineDescription;
+import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.shape.Polygon;
+import org.dfra.sim.world.shape.Vertex;
+
+/**
+ * A world drawn from above, in a frame of whoever draws it: east to the right, north up, metres.
+ */
+public final class FieldMap {
+
+  /** To the right of every map. */
+  public static final Axis EAST = Axis.of("east", "m");
+
+  /** Upwards on every map. */
+  public static final Axis NORTH = Axis.of("north", "m");
+
+  private final WorldDescription described;
+  private final LocalFrame world;
+  private final LocalFrame frame;
+
+  /**
+   * @param world what stands where
+   * @param frame what is drawn is in it
+   */
+  public FieldMap(WorldDescription world, LocalFrame frame) {
+    this.described = world;
+    this.world = new LocalFrame(world.datum());
+    this.frame = frame;
+  }
+
+  /**
+   * Where robots went, above what is given and below what stands there. A grey point is where one
+   * began; it has no entry in the legend, so that seven names have a colour each.
+   *
+   * @param ground what lies below everything
+   * @param ways of each robot {@code {east, north}}, in the frame that is drawn in
+   */
+  public PathPanel ways(List<Series> ground, Map<String, double[][]> ways) {
+    PathPanel panel = new PathPanel("", EAST, NORTH).add(ground.toArray(Series[]::new));
+    ways.forEach((robot, way) -> panel.add(Series.line(robot, way[0], way[1])));
+    for (double[][] way : ways.values()) {
+      int begun = Math.min(1, way[0].length);
+      panel.add(Series.points("", Arrays.copyOf(way[0], begun), Arrays.copyOf(way[1], begun)));
+    }
+    return panel.add(things());
+  }
+
+  /** The whole of the world's ground, to be drawn first. */
+  public Series ground() {
+    double east = described.ground().width();
+    double north = described.ground().depth();
+    List<LocalPosition> corners = List.of(at(0, 0), at(east, 0), at(east, north), at(0, north));
+    return outline("", corners).faint();
+  }
+
+  /** Mines and obstacles, to be drawn last. */
+  public Series[] things() {
+    List<Series> all = new ArrayList<>();
+    for (MineDescription each : described.mines()) {
+      LocalPosition at = at(each.east(), each.north());
+      all.add(Series.circle("mines", at.east(), at.north(), each.radius()));
+    }
+    for (ObstacleDescription each : described.obstacles()) {
+      if (each.outline() instanceof Disc disc) {
+        LocalPosition at = at(disc.east(), disc.north());
+        all.add(Series.circle("obstacles", at.east(), at.north(), disc.radius()));
+      } else if (each.outline() instanceof Polygon polygon) {
+        List<LocalPosition> corners = new ArrayList<>();
+        for (Vertex corner : polygon.corners()) {
+          corners.add(at(corner.east(), corner.north()));
+        }
+        all.add(outline("obstacles", corners));
+      }
+    }
+    return all.toArray(Series[]::new);
+  }
+
+  /** A filled polygon by its corners, in the frame that is drawn in. */
+  public static Series outline(String name, List<LocalPosition> corners) {
+    return Series.area(
+        name,
+        corners.stream().mapToDouble(LocalPosition::east).toArray(),
+        corners.stream().mapToDouble(LocalPosition::north).toArray());
+  }
+
+  private LocalPosition at(double east, double north) {
+    return frame.toLocal(world.toGeo(new LocalPosition(east, north, 0)));
+  }
+}

@@ -1,0 +1,169 @@
+package org.dfra.app.demo.persona;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.dfra.app.demo.stage.Checks;
+import org.dfra.directory.ModuleListing;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.flow.sensor.GPSSensor;
+
+/**
+ * A client's subscription to one receiver, with the time and the number of each of its readings.
+ * Nothing in it looks after failures: that the readings come again is the subscription's work.
+ */
+final class FixLog implements AutoCloseable {
+
+  /** Events kept for the client while it is busy; it never is for so long. */
+  private static final int DEPTH = 20;
+
+  private final ModuleListing<GPSSensor> listing;
+  private final Subscription subscription;
+  private final Arrivals arrivals = new Arrivals();
+
+  private FixLog(ModuleListing<GPSSensor> listing) throws RemoteException {
+    this.listing = listing;
+    this.subscription = listing.module().subscribe(arrivals, DeliveryPolicy.keepLast(DEPTH));
+  }
+
+  /** Subscribes. */
+  static FixLog of(ModuleListing<GPSSensor> listing) throws RemoteException {
+    return new FixLog(listing);
+  }
+
+  /**
+   * A reading that has come.
+   *
+   * @param nanos when, by {@link System#nanoTime}
+   * @param life which of the receiver's lives it is from; each start of its server begins one
+   * @param number its number among all of the receiver's readings
+   */
+  record Arrival(long nanos, long life, long number) {}
+
+  private static final class Arrivals implements ModuleListener {
+    final List<Arrival> all = new ArrayList<>(); // guarded by this
+
+    @Override
+    public synchronized void notify(Delivery delivery) {
+      if (delivery.kind() == Kind.READING) {
+        all.add(new Arrival(System.nanoTime(), delivery.epoch(), delivery.sequence()));
+        notifyAll();
+      }
+    }
+  }
+
+  /** {@code robot/module}. */
+  String path() {
+    return listing.path();
+  }
+
+  /** Name of the module, which is that of its service group in these robots too. */
+  String module() {
+    return listing.name();
+  }
+
+  GPSSensor gps() {
+    return listing.module();
+  }
+
+  Subscription subscription() {
+    return subscription;
+  }
+
+  /** The next reading to come. */
+  Arrival next(Duration patience) throws IOException, InterruptedException {
+    long now = System.nanoTime();
+    return first(each -> each.nanos() - now > 0, patience);
+  }
+
+  /** The first reading of a later life than this. */
+  Arrival firstAfterLife(long life, Duration patience) throws IOException, InterruptedException {
+    return first(each -> each.life() > life, patience);
+  }
+
+  private Arrival first(Predicate<Arrival> wanted, Duration patience)
+      throws IOException, InterruptedException {
+    long end = System.nanoTime() + patience.toNanos();
+    synchronized (arrivals) {
+      while (true) {
+        for (Arrival each : arrivals.all) {
+          if (wanted.test(each)) {
+            return each;
+          }
+        }
+        long left = end - System.nanoTime();
+        if (left <= 0) {
+          throw new IOException(
+              "no reading of " + path() + " came within " + patience.toSeconds() + " s");
+        }
+        TimeUnit.NANOSECONDS.timedWait(arrivals, left);
+      }
+    }
+  }
+
+  /** Begins to look at the readings from now on. */
+  Stretch begin() {
+    return new Stretch(System.nanoTime(), subscription.lost());
+  }
+
+  /** The readings from a moment on. */
+  final class Stretch {
+    private final long from;
+    private final long lostBefore;
+
+    private Stretch(long from, long lostBefore) {
+      this.from = from;
+      this.lostBefore = lostBefore;
+    }
+
+    /** Waits for so many readings. */
+    void await(int readings, Duration patience) throws Exception {
+      Checks.await(
+          readings + " readings of " + path(), patience, () -> end().readings() >= readings);
+    }
+
+    /** How many came, how far apart at the most, and how many did not come, until now. */
+    Summary end() {
+      long now = System.nanoTime();
+      long[] times;
+      synchronized (arrivals) {
+        times =
+            arrivals.all.stream().mapToLong(Arrival::nanos).filter(t -> t - from >= 0).toArray();
+      }
+      long longest = 0;
+      long last = from;
+      for (long each : times) {
+        longest = Math.max(longest, each - last);
+        last = each;
+      }
+      longest = Math.max(longest, now - last);
+      double rate = times.length < 2 ? 0 : (times.length - 1) * 1e9 / (last - times[0]);
+      long lost = subscription.lost() - lostBefore;
+      return new Summary(path(), times.length, rate, Duration.ofNanos(longest), lost);
+    }
+  }
+
+  /**
+   * What came in a stretch of time.
+   *
+   * @param path of the receiver
+   * @param readings that came
+   * @param rate at which they came, in hertz; 0 where fewer than two did
+   * @param longestWait without a reading
+   * @param lost events, readings or others, that were missing in the numbers
+   */
+  record Summary(String path, int readings, double rate, Duration longestWait, long lost) {}
+
+  @Override
+  public void close() {
+    subscription.close();
+  }
+}

@@ -1,0 +1,130 @@
+package org.dfra.app.demo.persona;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.stage.Demo;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.stage.Performance;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.demo.stage.Wording;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.lookup.JiniModuleDirectory;
+
+/**
+ * The distributed layer whole: two robots show what they can do, and a client goes on using them
+ * while their processes are killed, stopped, replaced and removed.
+ */
+public final class PersonaDemo implements Demo {
+
+  private static final int RECEIVERS = 2; // on each robot
+
+  /** The four antennas, and that of the module that is added; some metres apart. */
+  private static final List<GeoPosition> ANTENNAS =
+      List.of(
+          new GeoPosition(27.950603, -82.457200, 14.5),
+          new GeoPosition(27.950597, -82.457200, 14.5),
+          new GeoPosition(27.950803, -82.457000, 14.5),
+          new GeoPosition(27.950797, -82.457000, 14.5),
+          new GeoPosition(27.950800, -82.457000, 15.1));
+
+  private final Narration tell;
+
+  /** Told by the narration. */
+  public PersonaDemo(Narration narration) {
+    this.tell = narration;
+  }
+
+  @Override
+  public boolean run() {
+    return Performance.of(tell, this::play);
+  }
+
+  private void play(Stage stage) throws Exception {
+    tell.chapter("switching on the receivers", "Two robots come up");
+    List<String> links = stage.startReceivers(ANTENNAS);
+    tell.say(
+        "%d Motorola M12+ GPS receivers are switched on. They are emulated, byte for byte, so that"
+            + " the real driver reads them.",
+        links.size());
+    FieldRobot atrv1 = robot(stage, "atrv1", links.get(0), links.get(1));
+    FieldRobot atrv2 = robot(stage, "atrv2", links.get(2), links.get(3));
+    List<FieldRobot> robots = List.of(atrv1, atrv2);
+    Narration.Stopwatch coldStart = tell.stopwatch();
+    try (ModuleDirectory directory =
+        new JiniModuleDirectory(
+            Stage.ADDRESS, List.of(), robots.stream().map(FieldRobot::locator).toList())) {
+      bringUp(robots);
+      Introduction introduction = new Introduction(tell, directory);
+      introduction.meet(robots.size(), RECEIVERS, coldStart);
+      introduction.ask();
+      List<FixLog> logs = listen(directory);
+      try {
+        KilledReceiver killed = new KilledReceiver(tell, stage, atrv1, directory);
+        killed.underASubscription(logs.get(0));
+        killed.underACall();
+        new StoppedReceiver(tell, stage, atrv2)
+            .play(logs.get(2), List.of(logs.get(0), logs.get(1), logs.get(3)));
+        new LostRegistrar(tell, stage, atrv1, directory).play(logs.get(0));
+        new ChangingRobot(tell, atrv2, directory).play(links.get(4), logs.get(3).module(), logs);
+      } finally {
+        logs.forEach(FixLog::close);
+      }
+    }
+  }
+
+  private static FieldRobot robot(Stage stage, String name, String front, String rear)
+      throws IOException {
+    return FieldRobot.of(stage, "field", name, Map.of("gps_front", front, "gps_rear", rear));
+  }
+
+  /** Both at once, as on two computers. */
+  private void bringUp(List<FieldRobot> robots) throws Exception {
+    tell.step("bringing the robots up");
+    Narration.Stopwatch watch = tell.stopwatch();
+    ExecutorService threads = Executors.newFixedThreadPool(robots.size());
+    try {
+      List<Future<List<RobotBootstrap.Service>>> begun = new ArrayList<>();
+      for (FieldRobot each : robots) {
+        begun.add(threads.submit(each::bringUp));
+      }
+      for (int i = 0; i < robots.size(); i++) {
+        List<RobotBootstrap.Service> services = begun.get(i).get();
+        tell.say(
+            "Robot %s is up after %s, with a phoenix of its own: %s, a process each.",
+            robots.get(i).name(),
+            Wording.seconds(watch.elapsed()),
+            services.stream().map(RobotBootstrap.Service::name).collect(Collectors.joining(", ")));
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+    tell.say(
+        "Phoenix is the daemon that starts a robot's processes and brings them back. The registrar"
+            + " is the robot's own lookup service: its modules say there what they can do.");
+  }
+
+  private List<FixLog> listen(ModuleDirectory directory) throws Exception {
+    tell.chapter("listening to the receivers", "It listens to all four");
+    List<FixLog> logs = new ArrayList<>();
+    for (var each : directory.find(ModuleQuery.of(GPSSensor.class))) {
+      logs.add(FixLog.of(each));
+    }
+    for (FixLog each : logs) {
+      FixLog.Arrival first = each.next(Duration.ofSeconds(20));
+      tell.say("Reading no. %d of %s has come.", first.number(), each.path());
+    }
+    return logs;
+  }
+}

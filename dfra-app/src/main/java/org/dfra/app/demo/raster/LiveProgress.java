@@ -1,0 +1,136 @@
+package org.dfra.app.demo.raster;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.raster.Bodies;
+import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.MissionListener;
+import org.dfra.app.raster.OffLane;
+import org.dfra.app.raster.Sample;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.terminal.Table;
+import org.dfra.behaviors.raster.RasterPlan;
+import org.dfra.geometry.LocalPosition;
+
+/**
+ * Tells how a search goes on while it does: on a terminal a block that is redrawn every second,
+ * elsewhere a sentence every ten. Confined to the thread that runs the search.
+ */
+final class LiveProgress implements MissionListener {
+
+  private static final long REDRAW = TimeUnit.SECONDS.toNanos(1);
+  private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
+
+  private final Narration tell;
+  private final LongSupplier nanos;
+  private final Scenario scenario;
+  private final Bodies bodies;
+  private final List<RasterPlan> plans = new ArrayList<>();
+  private final List<List<LocalPosition>> driven = new ArrayList<>();
+  private double clearance = Double.POSITIVE_INFINITY;
+  private long told;
+
+  /**
+   * @param nanos a clock of real time, of which only differences are taken
+   */
+  LiveProgress(Narration tell, LongSupplier nanos, Scenario scenario) {
+    this.tell = tell;
+    this.nanos = nanos;
+    this.scenario = scenario;
+    this.bodies = new Bodies(scenario.world());
+    this.told = nanos.getAsLong();
+  }
+
+  @Override
+  public void at(List<At> robots) {
+    for (int i = 0; i < robots.size(); i++) {
+      if (plans.size() <= i) {
+        plans.add(scenario.plan(i));
+        driven.add(new ArrayList<>());
+      }
+      Sample sample = robots.get(i).sample();
+      driven.get(i).add(new LocalPosition(sample.east(), sample.north(), 0));
+      clearance = Math.min(clearance, sample.clearance());
+    }
+    long now = nanos.getAsLong();
+    if (now - told >= (tell.isTerminal() ? REDRAW : SENTENCE)) {
+      told = now;
+      show(robots);
+    }
+  }
+
+  @Override
+  public void happened(Mark mark) {
+    tell.say("After %.0f s, %s: %s.", mark.time(), mark.robot(), mark.what());
+  }
+
+  private void show(List<At> robots) {
+    if (tell.isTerminal()) {
+      List<String> lines = new ArrayList<>(table(robots));
+      lines.add(summary(robots));
+      tell.redraw(lines);
+      return;
+    }
+    List<String> clauses = new ArrayList<>();
+    for (int i = 0; i < robots.size(); i++) {
+      clauses.add(
+          robots.get(i).robot()
+              + " has seen "
+              + seen(i)
+              + " ("
+              + robots.get(i).status().doing()
+              + off(i, robots.get(i), ", %.2f m off it")
+              + ")");
+    }
+    tell.say("%s: %s.", summary(robots), String.join("; ", clauses));
+  }
+
+  private List<String> table(List<At> robots) {
+    Table table = new Table("ROBOT", "STATE", "SEEN", "OFF LANE", "DOES");
+    for (int i = 0; i < robots.size(); i++) {
+      At at = robots.get(i);
+      table.row(
+          at.robot(),
+          at.status().phase().name().toLowerCase(Locale.ROOT),
+          seen(i),
+          off(i, at, "%.2f m"),
+          at.status().doing());
+    }
+    return table.lines();
+  }
+
+  private String seen(int robot) {
+    RasterPlan plan = plans.get(robot);
+    return Math.round(100 * plan.coverageMap(driven.get(robot), plan.swath()).share()) + " %";
+  }
+
+  private String off(int robot, At at, String format) {
+    return OffLane.of(at.sample(), plans.get(robot))
+        .map(off -> String.format(Locale.ROOT, format, Math.abs(off.estimated())))
+        .orElse("");
+  }
+
+  private String summary(List<At> robots) {
+    StringBuilder text = new StringBuilder();
+    text.append(String.format(Locale.ROOT, "After %.0f s", robots.get(0).sample().time()));
+    if (robots.size() > 1) {
+      text.append(
+          String.format(
+              Locale.ROOT,
+              ", %.1f m apart",
+              bodies.between(
+                  robots.get(0).robot(),
+                  robots.get(0).sample(),
+                  robots.get(1).robot(),
+                  robots.get(1).sample())));
+    }
+    if (Double.isFinite(clearance)) {
+      text.append(String.format(Locale.ROOT, ", least clearance so far %.2f m", clearance));
+    }
+    return text.toString();
+  }
+}

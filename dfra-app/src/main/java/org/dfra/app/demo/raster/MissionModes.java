@@ -1,0 +1,61 @@
+package org.dfra.app.demo.raster;
+
+import org.dfra.app.figure.Figures;
+import org.dfra.app.raster.LocalMission;
+import org.dfra.app.raster.Mission;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.embedded.EmbeddedMission;
+import org.dfra.app.raster.process.ProcessMission;
+
+/** The ways in which a search can be run. The only place that knows them all. */
+final class MissionModes {
+
+  private MissionModes() {}
+
+  /** In which mode a search is run, and what that means, in sentences. */
+  static String meaning(Mission mission) {
+    return switch (mission.mode()) {
+      case "local" ->
+          "Mode local: drivers, schemas and behaviours of all robots run in one virtual machine and"
+              + " find each other in its memory, without a network. The drivers read the bytes of"
+              + " emulated devices. Time goes in lock-step, so the same seed gives the same search"
+              + " to the last bit.";
+      case "processes" ->
+          "Mode processes: each robot has its phoenix, its registrar and a process for each service"
+              + " group; modules find each other through lookup, and drivers read the bytes of"
+              + " emulated devices over TCP. The seed fixes the world and its noise, not when which"
+              + " process runs.";
+      case "embedded" ->
+          "Mode embedded: all robots run in one virtual machine, each with its own lookup service."
+              + " Their modules are exported, register and find each other through lookup, and"
+              + " drivers read the bytes of emulated devices over TCP; a proxy calls a module of its"
+              + " own virtual machine directly. No process is killed, but lookup services are ended"
+              + " on the way. The seed fixes the world and its noise, not when which thread runs.";
+      default -> "Mode " + mission.mode() + ".";
+    };
+  }
+
+  /**
+   * The way that is asked for. In processes some are killed on the way, where there are two robots.
+   *
+   * @param figures take what a mission measures of itself
+   */
+  static Mission of(RasterSetup setup, Figures figures) {
+    Scenario scenario = setup.scenario();
+    return switch (setup.mode()) {
+      case LOCAL -> new LocalMission(scenario, setup.longest(), robot -> robot, false);
+      case EMBEDDED ->
+          new EmbeddedMission(
+              scenario, setup.pace().speed(), setup.longest(), robot -> robot, figures);
+      case PROCESSES ->
+          new ProcessMission(
+              scenario,
+              setup.world(),
+              setup.pace().speed(),
+              setup.longest(),
+              robot -> robot,
+              scenario.robots().size() > 1,
+              figures);
+    };
+  }
+}

@@ -1,0 +1,126 @@
+package org.dfra.app.demo.raster;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.demo.stage.Demo;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.stage.Performance;
+import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.raster.Flight;
+import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.Mission;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.Scores;
+import org.dfra.app.terminal.Table;
+import org.dfra.behaviors.raster.RasterPlan;
+
+/**
+ * An operator's region becomes lanes; robots search it, each the other way round than the one
+ * before it, so that they meet; and what became of it goes into a report.
+ */
+public final class RasterDemo implements Demo {
+
+  /**
+   * Where a robot goes around a post, or its receivers drift, it leaves some ground to the other; a
+   * small region is mostly edge.
+   */
+  private static final double MOST_UNSEEN = 0.05;
+
+  private final Narration tell;
+  private final Scenario scenario;
+  private final Pace pace;
+  private final Mission mission;
+  private final Path report;
+
+  private RasterDemo(Narration narration, RasterSetup setup, Path report) {
+    this.tell = narration;
+    this.scenario = setup.scenario();
+    this.pace = setup.pace();
+    this.mission = MissionModes.of(setup, narration.figures());
+    this.report = report;
+  }
+
+  /**
+   * The demonstration that the options ask for; nothing is started.
+   *
+   * @param report the folder of its report
+   * @throws RuntimeException if they ask for what cannot be; the message is for the user
+   */
+  public static RasterDemo of(Narration narration, RasterOptions options, Path report) {
+    return new RasterDemo(narration, RasterSetup.of(options), report);
+  }
+
+  @Override
+  public boolean run() {
+    return Performance.withoutStage(tell, this::play); // a mission has its own
+  }
+
+  private void play() throws Exception {
+    plan();
+    Flight flight = search();
+    List<Scores> scores = judge(flight);
+    tell.chapter("writing the report", "The report");
+    Path file =
+        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores).write(report);
+    tell.say("Figures and tables are in %s, the numbers beside it as CSV.", file);
+  }
+
+  private void plan() {
+    tell.chapter("planning", "A region becomes lanes");
+    RasterPlan plan = scenario.plan();
+    tell.say(
+        "The region around %s has %.0f m². With lanes %.2f m apart that makes %s, %d waypoints and"
+            + " %.0f m to drive.",
+        Wording.place(scenario.region().centre()),
+        scenario.region().area(),
+        plan.spacing(),
+        Wording.count(plan.lanes().size(), "lane"),
+        plan.waypoints().size(),
+        plan.length());
+    tell.say("%s", MissionModes.meaning(mission));
+    pace.slower().ifPresent(why -> tell.say("%s", why));
+  }
+
+  private Flight search() throws Exception {
+    tell.chapter("searching", "The robots search it, each the other way round than the one before");
+    Narration.Stopwatch watch = tell.stopwatch();
+    Flight flight = mission.run(new LiveProgress(tell, System::nanoTime, scenario));
+    tell.say(
+        "The search took %.0f s of the robots' time and %s of this computer's.",
+        flight.seconds(), Wording.seconds(watch.elapsed()));
+    for (RobotFlight each : flight.robots()) {
+      tell.say("%s: %s.", each.robot(), each.ending());
+    }
+    return flight;
+  }
+
+  private List<Scores> judge(Flight flight) {
+    tell.chapter("judging", "How well they searched");
+    List<Scores> scores = new ArrayList<>();
+    for (int i = 0; i < flight.robots().size(); i++) {
+      scores.add(Scores.of(flight.robots().get(i), scenario.plan(i)));
+    }
+    double together = Scores.together(flight, scenario);
+    Metrics metrics = Metrics.of(flight, scores, together);
+    Table table =
+        new Table(
+            metrics.headings().stream()
+                .map(each -> each.toUpperCase(Locale.ROOT))
+                .toArray(String[]::new));
+    metrics.rows().forEach(row -> table.row(row.toArray(String[]::new)));
+    tell.show(table.lines());
+    double clearance = scores.stream().mapToDouble(Scores::clearance).min().orElse(0);
+    long unfinished = scores.stream().filter(each -> !each.completed()).count();
+    tell.figure("robots that did not come to the end of their lanes", unfinished, 0, "");
+    tell.figure("collisions", flight.collisions().size(), 0, "");
+    tell.figure(
+        "least clearance short of 0.3 m", // a figure is to be small
+        Math.max(0, RasterFigures.LEAST_CLEARANCE - clearance),
+        0,
+        "m");
+    tell.figure("share of the region that no robot saw", 1 - together, MOST_UNSEEN, "");
+    return scores;
+  }
+}

@@ -1,0 +1,77 @@
+package org.dfra.app.demo.raster;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.dfra.app.raster.Lanes;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** What can be said of a search by raster on the command line. A picocli mix-in. */
+public final class RasterOptions {
+
+  @Option(
+      names = "--local",
+      description =
+          "Raster: all in one virtual machine, in lock-step, as fast as the computer can; the same"
+              + " seed gives the same search.")
+  boolean local;
+
+  @Option(
+      names = "--embedded",
+      description =
+          "Raster: all in one virtual machine, found through real lookup services, devices over"
+              + " TCP; lookup services are ended on the way, no process is killed.")
+  boolean embedded;
+
+  @Option(
+      names = "--region",
+      paramLabel = "REGION",
+      description =
+          "Raster: what is to be searched: a GeoJSON file, or corners as in"
+              + " \"48.0001,11.0001 48.0001,11.0004 48.0002,11.0004\" (default: the world's own; in processes the middle of it).")
+  @Nullable String region;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      description =
+          "Raster, recruit: seconds of the robots' time in a second, 0.01 to 1000, of recruit 0.5 to 5"
+              + " (default "
+              + Pace.USUAL
+              + "; raster in processes: "
+              + Pace.IN_PROCESSES
+              + ", or half of it where the computer does not keep up; recruit: 2).")
+  @Nullable Double speed;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Raster: what chance goes by, instead of the world's own seed.")
+  @Nullable Long seed;
+
+  @Option(
+      names = "--swath",
+      paramLabel = "M",
+      description = "Raster: how wide a strip a robot sees, metres (default " + Lanes.SWATH + ").")
+  @Nullable Double swath;
+
+  @Option(
+      names = "--spacing",
+      paramLabel = "M",
+      description =
+          "Raster: from lane to lane, metres, at most the swath (default: "
+              + Lanes.RESERVE
+              + " of it).")
+  @Nullable Double spacing;
+
+  @Option(
+      names = "--world",
+      paramLabel = "FILE",
+      description = "Raster: the world's XML (default config/worlds/raster.xml).")
+  @Nullable Path world;
+
+  /** Seconds of the robots' time in a second; nothing where it was not said. */
+  public Optional<Double> speed() {
+    return Optional.ofNullable(speed);
+  }
+}

@@ -1,0 +1,171 @@
+package org.dfra.app.demo.raster;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.app.demo.stage.Power;
+import org.dfra.app.raster.GivenRegion;
+import org.dfra.app.raster.Lanes;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behaviors.raster.RasterPlan;
+import org.dfra.behaviors.raster.Reach;
+import org.dfra.behaviors.raster.Region;
+import org.dfra.core.config.RobotXml;
+import org.dfra.core.robot.Rehearsal;
+import org.dfra.core.time.ScaledTime;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.file.WorldXml;
+import org.dfra.sim.world.shape.Vertex;
+
+/**
+ * A search that was asked for and can be begun: whatever is wrong with it was said.
+ *
+ * @param scenario what is to be searched, and by whom
+ * @param world the file of the world; its seed is the scenario's, not always the file's
+ * @param mode the way in which it is wanted
+ * @param pace how fast the robots' time goes
+ * @param longest robots' time after which it is given up
+ */
+public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, Duration longest) {
+
+  /** Ways to run a search. */
+  enum Mode {
+    /** In processes under phoenix. */
+    PROCESSES,
+    /** In one virtual machine, with lookup services. */
+    EMBEDDED,
+    /** In one virtual machine, in lock-step. */
+    LOCAL
+  }
+
+  private static final Path ROOT = Path.of(System.getProperty("dfra.root", "."));
+  private static final Path WORLD = ROOT.resolve("config/worlds/raster.xml");
+  private static final Path MIDDLE = ROOT.resolve("config/worlds/raster-middle.geojson");
+  private static final Path TEAM = ROOT.resolve("config/teams/raster");
+
+  private static final Duration TO_BEGIN = Duration.ofMinutes(10);
+
+  /** Metres per second, a quarter of what a robot that nothing hinders drives. */
+  private static final double SLOWEST = 0.15;
+
+  /**
+   * What the options ask for.
+   *
+   * @throws CommandFailure if a number is none that can be, or the world has no robots for it
+   * @throws org.dfra.core.config.ConfigurationException if a file is not what it should be
+   * @throws GoalRefusedException if the region cannot be searched
+   */
+  static RasterSetup of(RasterOptions options) {
+    Mode mode = mode(options);
+    if (mode == Mode.LOCAL && options.speed != null) {
+      throw wrong(
+          "--speed has no meaning with --local: in lock-step time goes as fast as the computer"
+              + " can; leave one of them out");
+    }
+    if (options.speed != null) {
+      Lanes.requireBetween("--speed", options.speed, ScaledTime.SLOWEST, ScaledTime.FASTEST, "");
+    }
+    Lanes lanes = Lanes.of(options.swath, options.spacing);
+    Path file = options.world == null ? WORLD : options.world;
+    WorldDescription read = WorldXml.read(file);
+    WorldDescription world = options.seed == null ? read : read.seeded(options.seed);
+    GivenRegion given = region(options, mode, world, file);
+    Scenario scenario =
+        new Scenario(world, team(world), given.region(), lanes.swath(), lanes.spacing());
+    given.requireWider(lanes.spacing());
+    try {
+      requireInReach(scenario);
+    } catch (GoalRefusedException e) {
+      throw given.placed(e);
+    }
+    double seconds = scenario.plan().length() / SLOWEST;
+    return new RasterSetup(
+        scenario,
+        file,
+        mode,
+        Pace.of(options.speed, mode, Power::share),
+        TO_BEGIN.plusMillis((long) (1000 * seconds)));
+  }
+
+  private static GivenRegion region(
+      RasterOptions options, Mode mode, WorldDescription world, Path file) {
+    if (options.region != null) {
+      return GivenRegion.parse(options.region);
+    } else if (options.world == null && mode == Mode.PROCESSES) {
+      return GivenRegion.parse(MIDDLE.toString()); // all of it would take six minutes
+    }
+    return new GivenRegion(own(world), file + ": ");
+  }
+
+  private static Mode mode(RasterOptions options) {
+    if (options.local && options.embedded) {
+      throw wrong(
+          "--local and --embedded are two ways to run a search in one virtual machine; leave one of"
+              + " them out");
+    }
+    return options.local ? Mode.LOCAL : options.embedded ? Mode.EMBEDDED : Mode.PROCESSES;
+  }
+
+  private static CommandFailure wrong(String sentence) {
+    return new CommandFailure(ExitCode.WRONG_USE, sentence);
+  }
+
+  private static Region own(WorldDescription world) {
+    LocalFrame frame = new LocalFrame(world.datum());
+    List<GeoPosition> corners = new ArrayList<>();
+    for (Vertex each :
+        world
+            .region()
+            .orElseThrow(
+                () ->
+                    wrong(
+                        "the world " + world.name() + " has no region; add one, or give --region"))
+            .corners()) {
+      corners.add(frame.toGeo(new LocalPosition(each.east(), each.north(), 0)));
+    }
+    return Region.of(corners);
+  }
+
+  /** The XML of each robot of the world, tried. */
+  private static List<Path> team(WorldDescription world) {
+    List<Path> team = new ArrayList<>();
+    for (VehicleDescription each : world.vehicles()) {
+      Path xml = TEAM.resolve(each.name() + ".xml");
+      if (each.type() != VehicleType.UGV || !Files.exists(xml)) {
+        throw wrong(
+            each.place()
+                + ": the robot "
+                + each.name()
+                + " cannot search: "
+                + (each.type() == VehicleType.UGV
+                    ? "there is no " + xml + " that says what runs on it; write one, or rename it"
+                    : "it is no ground robot; leave it out"));
+      }
+      Rehearsal.ofWhole(RobotXml.read(xml));
+      team.add(xml);
+    }
+    if (team.isEmpty()) {
+      throw wrong("the world " + world.name() + " has no robots; add atrv1 and atrv2");
+    }
+    return team;
+  }
+
+  private static void requireInReach(Scenario scenario) {
+    LocalFrame field = new LocalFrame(scenario.world().datum());
+    RasterPlan plan = scenario.plan();
+    for (VehicleDescription each : scenario.world().vehicles()) {
+      GeoPosition robot = field.toGeo(new LocalPosition(each.east(), each.north(), 0));
+      plan.waypoints().forEach(waypoint -> Reach.DEFAULT.require(robot, waypoint));
+    }
+  }
+}

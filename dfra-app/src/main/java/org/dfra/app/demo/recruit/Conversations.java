@@ -1,0 +1,87 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.agent.HelpCall;
+import org.dfra.recruit.message.Conversation;
+import org.dfra.recruit.message.RecruitmentMessage.Help;
+import org.dfra.recruit.message.SentLetter;
+import org.jspecify.annotations.Nullable;
+
+/** Letters sorted into conversations, with names for people: a call, and which attempt at it. */
+final class Conversations {
+
+  /**
+   * What was said in one.
+   *
+   * @param call counts the calls of all robots from 1
+   * @param attempt counts the conversations about that call from 1: who is late is replaced in the
+   *     next
+   * @param begun when its first letter was sent, by its sender's clock
+   * @param letters as they were sent, at least one
+   */
+  record Told(
+      String requester,
+      int call,
+      int attempt,
+      HelpCall asked,
+      Instant begun,
+      List<SentLetter> letters) {
+
+    /** Such as {@code call-2-attempt-1}. */
+    String file() {
+      return "call-" + call + "-attempt-" + attempt;
+    }
+  }
+
+  private Conversations() {}
+
+  /** All of them as they were begun; a call after another is one with another place or purpose. */
+  static List<Told> of(List<SentLetter> letters) {
+    Map<Conversation, List<SentLetter>> sorted = new LinkedHashMap<>();
+    letters.stream()
+        .sorted(Comparator.comparing(SentLetter::measured))
+        .forEach(
+            each ->
+                sorted
+                    .computeIfAbsent(
+                        each.letter().message().conversation(), key -> new ArrayList<>())
+                    .add(each));
+    List<Told> all = new ArrayList<>();
+    sorted.forEach(
+        (conversation, told) -> {
+          HelpCall asked = asked(told);
+          if (asked != null) {
+            all.add(next(all, conversation.requester(), asked, told));
+          }
+        });
+    return all;
+  }
+
+  private static @Nullable HelpCall asked(List<SentLetter> told) {
+    return told.stream()
+        .map(each -> each.letter().message() instanceof Help help ? help.call() : null)
+        .filter(call -> call != null)
+        .findFirst()
+        .orElse(null);
+  }
+
+  private static Told next(
+      List<Told> before, String requester, HelpCall asked, List<SentLetter> letters) {
+    List<Told> same =
+        before.stream()
+            .filter(each -> each.requester().equals(requester) && each.asked().equals(asked))
+            .toList();
+    int call =
+        same.isEmpty()
+            ? 1 + before.stream().mapToInt(Told::call).max().orElse(0)
+            : same.get(0).call();
+    int attempt = 1 + same.size();
+    return new Told(
+        requester, call, attempt, asked, letters.get(0).measured(), List.copyOf(letters));
+  }
+}

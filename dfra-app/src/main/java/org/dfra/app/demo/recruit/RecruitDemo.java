@@ -1,0 +1,116 @@
+package org.dfra.app.demo.recruit;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dfra.app.demo.stage.Demo;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.stage.Performance;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.raster.live.ToldTime;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.time.RobotTime;
+import org.dfra.core.time.ScaledTime;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.sim.run.Simulation;
+import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.file.WorldXml;
+
+/**
+ * A UAV flies over what somebody should look at from near and calls for help, and ground robots
+ * come by their own behaviours: one stays and is released, one dies on its way and is replaced, and
+ * one is left alone by a requester that cannot be reached, and frees itself.
+ */
+public final class RecruitDemo implements Demo {
+
+  private static final double SPEED = 2;
+  private static final double FASTEST = 5;
+  private static final double SLOWEST = 0.5;
+  private static final Path WORLD =
+      Path.of(System.getProperty("dfra.root", "."), "config", "worlds", "recruit.xml");
+
+  private final Narration tell;
+  private final double speed;
+  private final Path report;
+
+  private RecruitDemo(Narration narration, double speed, Path report) {
+    this.tell = narration;
+    this.speed = speed;
+    this.report = report;
+  }
+
+  /**
+   * The demonstration; nothing is started.
+   *
+   * @param speed seconds of the robots' time in a second, {@value #SLOWEST} to {@value #FASTEST};
+   *     nothing for {@value #SPEED}
+   * @param report the folder of its report
+   * @throws CommandFailure if the speed is none that can be
+   */
+  public static RecruitDemo of(Narration narration, Optional<Double> speed, Path report) {
+    double wanted = speed.orElse(SPEED);
+    if (!(wanted >= SLOWEST && wanted <= FASTEST)) {
+      throw new CommandFailure(
+          ExitCode.WRONG_USE,
+          String.format(
+              Locale.ROOT,
+              "--speed %s is outside %s to %s, in which agents in processes keep up",
+              wanted,
+              SLOWEST,
+              FASTEST));
+    }
+    return new RecruitDemo(narration, wanted, report);
+  }
+
+  @Override
+  public boolean run() {
+    return Performance.of(tell, this::play);
+  }
+
+  private void play(Stage stage) throws Exception {
+    try (ToldTime time = new ToldTime()) {
+      Instant began = Instant.now().truncatedTo(ChronoUnit.MILLIS);
+      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).toString());
+      InstantSource clock = RobotTime.clock();
+      WorldDescription world = WorldXml.read(WORLD);
+      List<String> names = world.vehicles().stream().map(each -> each.name()).toList();
+      tell.chapter("starting the robots", "The team");
+      tell.say(
+          "Five robots in a simulated world. All that a robot is made of but its agent is embedded"
+              + " in this virtual machine: registrar, drivers that read the bytes of emulated"
+              + " devices over TCP, schemas and behaviours, exported and found through lookup."
+              + " Each robot's agent is an activated module in a service group, a process, of its"
+              + " own; one phoenix stands for the five. At the left is real time; \"after 30 s\""
+              + " is the robots' own, which passes %s times as fast.",
+          speed);
+      try (Simulation simulation = Simulation.overTcp(world, clock, Ports.ANY)) {
+        simulation.start();
+        LocalFrame frame = new LocalFrame(world.datum());
+        try (Team team = new Team(stage, simulation, names);
+            JiniModuleDirectory directory =
+                new JiniModuleDirectory(Stage.ADDRESS, List.of(), team.locators());
+            Ways ways = new Ways(names, simulation.world().truth(), clock);
+            Witness witness = new Witness(directory, tell, began)) {
+          ways.start();
+          team.start();
+          new Story(tell, team, directory, witness, simulation.world(), ways, frame, clock).play();
+          tell.chapter("writing the report", "The report");
+          Chronicle chronicle = new Chronicle(began, frame, witness, ways);
+          RecruitFigures figures = new RecruitFigures(names, world, chronicle);
+          Path file = new RecruitReport(chronicle, figures, speed).write(report);
+          tell.say(
+              "A map of where they went, a chart of each conversation, and shame over time are in"
+                  + " %s.",
+              file);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,91 @@
+package org.dfra.app.demo.recruit;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.dfra.app.demo.map.Happenings;
+import org.dfra.app.demo.recruit.Chronicle.Event;
+import org.dfra.app.demo.recruit.Conversations.Told;
+import org.dfra.app.plot.HtmlReport;
+import org.dfra.app.plot.Page;
+import org.dfra.geometry.LocalPosition;
+
+/** Writes what was done, said and felt: one file, and each of its figures beside it as SVG. */
+final class RecruitReport {
+
+  private final Chronicle chronicle;
+  private final RecruitFigures figures;
+  private final double speed;
+
+  /**
+   * @param speed seconds of the robots' time in a second
+   */
+  RecruitReport(Chronicle chronicle, RecruitFigures figures, double speed) {
+    this.chronicle = chronicle;
+    this.figures = figures;
+    this.speed = speed;
+  }
+
+  /**
+   * Writes it.
+   *
+   * @return the report's file
+   */
+  Path write(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    HtmlReport report = new HtmlReport("Robots that help each other");
+    report.paragraph(
+        String.format(
+            Locale.ROOT,
+            "The robots' bodies, drivers and behaviours were embedded in one virtual machine; each"
+                + " agent ran in a process of its own. All times are seconds of the robots' time"
+                + " since the demonstration began, which passed %s times as fast as time does.",
+            speed));
+    Happenings.list(chronicle.events().stream().map(Event::mark).toList(), report);
+    report.heading("Where they went");
+    add(
+        folder.resolve("map.svg"),
+        report,
+        figures.map(),
+        "Truly, by the simulated world, each from its grey point; who has no line stood still. The"
+            + " numbers are those of what happened on the way: a call stands where help was called"
+            + " to, all else where the robot was.");
+    report
+        .heading("What they said")
+        .paragraph(
+            "A chart shows what was sent, and when by the sender's clock; not whether it arrived."
+                + " A message to all has an arrow to each. ACCEPT tells how long the robot would"
+                + " take, ARRIVAL for how long it can stay. Who does not come is replaced in a"
+                + " second attempt.");
+    for (Told each : chronicle.conversations()) {
+      LocalPosition at = chronicle.place(each.asked().place());
+      add(
+          folder.resolve(each.file() + ".svg"),
+          report,
+          figures.chart(each),
+          String.format(
+              Locale.ROOT,
+              "Help was called to %.0f m east and %.0f m north.",
+              at.east(),
+              at.north()));
+    }
+    report.heading("What they felt");
+    add(
+        folder.resolve("shame.svg"),
+        report,
+        figures.shame(),
+        "Each call that a robot hears and does not answer adds to its shame; at 1 it offers to"
+            + " come. It is 0 once a helper is chosen. The numbers are those of what happened on"
+            + " the way.");
+    Path file = folder.resolve("report.html");
+    report.write(file);
+    return file;
+  }
+
+  private static void add(Path svg, HtmlReport report, Page page, String caption)
+      throws IOException {
+    page.write(svg);
+    report.figure(page, caption);
+  }
+}

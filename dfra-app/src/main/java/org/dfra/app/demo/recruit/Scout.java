@@ -1,0 +1,94 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Duration;
+import org.dfra.app.demo.stage.Checks;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightEffector;
+import org.dfra.flow.effector.FlightState;
+import org.dfra.flow.effector.FlightState.Phase;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+
+/** A robot that looks from above, and stays over what somebody should look at from near. */
+final class Scout implements AutoCloseable {
+
+  private static final Duration PATIENCE = Calls.PATIENCE;
+
+  /** After which it holds its place if this process dies. */
+  private static final Duration LEASE = Duration.ofSeconds(10);
+
+  private static final double HEIGHT = 8; // metres above the ground
+  private static final double SPEED = 4; // metres per second
+  private static final double NEAR = 1; // metres: it is there
+
+  private final Narration tell;
+  private final String robot;
+  private final FlightEffector flight;
+  private final LocalFrame frame;
+  private final CommandLease lease;
+
+  /**
+   * Takes off.
+   *
+   * @param frame the world's
+   */
+  Scout(Narration tell, String robot, FlightEffector flight, LocalFrame frame) throws Exception {
+    this.tell = tell;
+    this.robot = robot;
+    this.flight = flight;
+    this.frame = frame;
+    tell.step("having " + robot + " take off");
+    Checks.await(
+        "that " + robot + " knows where it is", PATIENCE, () -> flight.flight().position() != null);
+    this.lease = flight.command(LEASE);
+    flight.obey(lease.key(), new Arm());
+    Checks.await("that its motors turn", PATIENCE, () -> flight.flight().isArmed());
+    flight.obey(lease.key(), new TakeOff(HEIGHT));
+    Checks.await("that it flies", PATIENCE, () -> flight.flight().phase() == Phase.IN_AIR);
+    tell.say("%s takes off, and flies %.0f m above the field.", robot, HEIGHT);
+  }
+
+  /** Flies over a place, and stays there. */
+  void lookAt(GeoPosition place) throws Exception {
+    LocalPosition on = frame.toLocal(place);
+    tell.step("flying " + robot + " over what it has seen");
+    LocalPosition above = new LocalPosition(on.east(), on.north(), HEIGHT);
+    flight.obey(lease.key(), new GoTo(frame.toGeo(above), SPEED));
+    Checks.await("that " + robot + " is there", PATIENCE, () -> isOver(on));
+    tell.say(
+        "%s hovers over something %.0f m east and %.0f m north; from above a mine is like a stone.",
+        robot, on.east(), on.north());
+  }
+
+  private boolean isOver(LocalPosition place) throws Exception {
+    FlightState state = flight.flight();
+    if (state.position() == null) {
+      return false;
+    }
+    LocalPosition at = frame.toLocal(state.position());
+    return Math.hypot(at.east() - place.east(), at.north() - place.north()) < NEAR;
+  }
+
+  /** Flies back, and lands. */
+  void land() throws Exception {
+    tell.step("having " + robot + " land");
+    flight.obey(lease.key(), new ReturnHome());
+    Checks.await(
+        "that " + robot + " has landed",
+        PATIENCE,
+        () -> flight.flight().phase() == Phase.ON_GROUND && !flight.flight().isArmed());
+    tell.say("%s is back where it took off.", robot);
+  }
+
+  /** {@inheritDoc} Where it flies yet it holds its place. */
+  @Override
+  public void close() throws Exception {
+    lease.close();
+  }
+}

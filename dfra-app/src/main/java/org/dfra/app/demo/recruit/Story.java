@@ -1,0 +1,188 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.stage.Checks;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.raster.live.Arrival;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.FlightEffector;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.World;
+
+/** What happens in the demonstration, one after the other. */
+final class Story {
+
+  private static final String REQUESTER = "uav";
+  private static final String PERCEPT = "mine";
+  private static final Duration PATIENCE = Calls.PATIENCE;
+  private static final Duration LOOKED_FOR = Duration.ofMinutes(4);
+  private static final Duration LONG_STAY = Duration.ofMinutes(2);
+
+  /** How far a helper has come that dies on its way, metres. */
+  private static final double ON_ITS_WAY = 2;
+
+  /** For how long a helper stays that is not released, robots' time. */
+  private static final Duration SHORT_STAY = Duration.ofSeconds(15);
+
+  private final Narration tell;
+  private final Team team;
+  private final ModuleDirectory directory;
+  private final Witness witness;
+  private final World world;
+  private final Ways ways;
+  private final InstantSource clock;
+  private final LocalFrame frame;
+  private final Searches searches;
+
+  /**
+   * @param frame the world's
+   * @param clock the robots'
+   */
+  Story(
+      Narration tell,
+      Team team,
+      ModuleDirectory directory,
+      Witness witness,
+      World world,
+      Ways ways,
+      LocalFrame frame,
+      InstantSource clock) {
+    this.tell = tell;
+    this.team = team;
+    this.directory = directory;
+    this.witness = witness;
+    this.world = world;
+    this.ways = ways;
+    this.clock = clock;
+    this.frame = frame;
+    this.searches = new Searches(tell, directory, frame, Searches.PATIENCE);
+  }
+
+  void play() throws Exception {
+    for (RobotDescription each : team.bodies()) {
+      Arrival.await(directory, each);
+    }
+    int robots = team.bodies().size();
+    Checks.await("that all agents appear", PATIENCE, () -> witness.listening().size() == robots);
+    RecruitmentAgent uav =
+        directory.proxyFor(ModuleQuery.of(RecruitmentAgent.class).robot(REQUESTER));
+    Calls calls = new Calls(tell, REQUESTER, uav, witness, frame);
+    tell.say("All %d are there.", robots);
+    searches.begin("ugv3", 4.5, 18, 18);
+    searches.begin("ugv4", 22, 35.5, 18);
+    refuse(calls);
+    FlightEffector flight =
+        directory.proxyFor(ModuleQuery.of(FlightEffector.class).robot(REQUESTER));
+    try (Scout scout = new Scout(tell, REQUESTER, flight, frame)) {
+      oneComesAndIsReleased(scout, calls);
+      String dead = oneDiesOnItsWay(scout, calls);
+      theRequesterIsCutOff(scout, calls, dead);
+      scout.land();
+      judge(dead);
+    }
+  }
+
+  private GeoPosition place(double east, double north) {
+    return frame.toGeo(new LocalPosition(east, north, 0));
+  }
+
+  private void refuse(Calls calls) throws Exception {
+    tell.chapter("asking for what cannot be", "What cannot be is refused");
+    HelpCall gold = new HelpCall("gold", place(12, 11), SHORT_STAY, LOOKED_FOR);
+    calls.awaitOthers(gold);
+    calls.refused(gold);
+    calls.refused(new HelpCall(PERCEPT, place(60, 11), SHORT_STAY, LOOKED_FOR));
+  }
+
+  private void oneComesAndIsReleased(Scout scout, Calls calls) throws Exception {
+    tell.chapter("recruiting one", "One comes, observes, and is released");
+    HelpCall call = new HelpCall(PERCEPT, place(12, 11), LONG_STAY, LOOKED_FOR);
+    scout.lookAt(call.place());
+    Narration.Stopwatch watch = tell.stopwatch();
+    tell.say("%s comes.", calls.call(call, Set.of()));
+    tell.figure("call to a robot on its way", watch.elapsed(), Duration.ofSeconds(60));
+    calls.release(calls.arrived());
+  }
+
+  /** Returns the robot that died. */
+  private String oneDiesOnItsWay(Scout scout, Calls calls) throws Exception {
+    tell.chapter("killing a helper on its way", "One dies on its way, and is replaced");
+    HelpCall call = new HelpCall(PERCEPT, place(27, 12), LONG_STAY, LOOKED_FOR);
+    scout.lookAt(call.place());
+    String dead = calls.call(call, Set.of());
+    Instant setOut = clock.instant();
+    tell.say("%s comes.", dead);
+    Checks.await(
+        "that " + dead + " is on its way", PATIENCE, () -> ways.since(dead, setOut) > ON_ITS_WAY);
+    long process = team.process(dead);
+    Narration.Stopwatch watch = tell.stopwatch();
+    team.die(dead);
+    witness.died(clock.instant(), dead, "dies: nothing of it is left but a stopped vehicle");
+    searches.forget(dead);
+    tell.say(
+        "%s dies: its agent's process %d is killed, its registrar, drivers and behaviours are gone."
+            + " Phoenix brings the agent back, which finds no robot to drive.",
+        dead, process);
+    tell.say("%s comes instead.", calls.travelling(Set.of(dead)));
+    tell.figure("death to another on its way", watch.elapsed(), PATIENCE);
+    calls.release(calls.arrived());
+    return dead;
+  }
+
+  private void theRequesterIsCutOff(Scout scout, Calls calls, String dead) throws Exception {
+    tell.chapter("cutting the requester off", "The requester cannot be reached any more");
+    HelpCall call = new HelpCall(PERCEPT, place(16, 18), SHORT_STAY, LOOKED_FOR);
+    scout.lookAt(call.place());
+    tell.say("%s comes.", calls.call(call, Set.of(dead)));
+    String helper = calls.arrived();
+    team.signal("STOP", REQUESTER);
+    try {
+      witness.note(clock.instant(), REQUESTER, "hears and says nothing from here on");
+      tell.say(
+          "The agent of %s is stopped (process %d): it hears and says nothing. %s has granted it"
+              + " a lease of %d s of the robots' time.",
+          REQUESTER, team.process(REQUESTER), helper, SHORT_STAY.toSeconds());
+      calls.await(helper, ResponderPhase.FREE);
+      tell.say("%s has freed itself, with nobody to tell it so.", helper);
+    } finally {
+      team.signal("CONT", REQUESTER);
+      witness.note(clock.instant(), REQUESTER, "can be reached again");
+    }
+    calls.await(RequesterPhase.IDLE);
+  }
+
+  private void judge(String dead) throws Exception {
+    tell.chapter("judging", "What became of it");
+    List<String> idle = searches.end(witness.helpers());
+    Set<String> bound =
+        witness.statuses().entrySet().stream()
+            .filter(each -> !each.getKey().equals(dead))
+            .filter(each -> last(each.getValue()).responder() != ResponderPhase.FREE)
+            .map(Map.Entry::getKey)
+            .collect(Collectors.toSet());
+    tell.say("%d letters were sent, a call to all counted as one.", witness.letters().size());
+    tell.figure("robots that are still bound to somebody", bound.size(), 0, "");
+    tell.figure("seconds in which two helped at once", witness.doubled(), 0, "s");
+    tell.figure("searches that were left and did not go on", idle.size(), 0, "");
+    tell.figure("collisions", world.truth().collisions().size(), 0, "");
+  }
+
+  private static RecruitmentStatus last(List<RecruitmentStatus> all) {
+    return all.get(all.size() - 1);
+  }
+}

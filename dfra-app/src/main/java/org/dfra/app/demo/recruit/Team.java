@@ -1,0 +1,129 @@
+package org.dfra.app.demo.recruit;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.demo.stage.Host;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.robot.Ending;
+import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.Simulation;
+
+/**
+ * The robots of the demonstration. Of each, all but its agent is embedded in this virtual machine;
+ * its agent's service group is a process under one phoenix for all.
+ */
+final class Team implements AutoCloseable {
+
+  private static final Path FOLDER =
+      Path.of(System.getProperty("dfra.root", "."), "config", "teams", "recruit");
+
+  /** Name of the service group that holds a robot's agent. */
+  static final String AGENT = "agent";
+
+  private final Stage stage;
+  private final Host host;
+  private final List<String> locators;
+  private final Map<String, RobotDescription> bodies = new LinkedHashMap<>();
+  private final Map<String, RobotDescription> agents = new LinkedHashMap<>();
+  private final Map<String, EmbeddedRobot> running = new LinkedHashMap<>();
+
+  /** Reads the descriptions of the robots of that world; nothing is started. */
+  Team(Stage stage, Simulation simulation, List<String> names) throws IOException {
+    this.stage = stage;
+    this.host = stage.host("agents");
+    Map<String, RobotDescription> written = new LinkedHashMap<>();
+    for (String name : names) {
+      Map<String, String> links =
+          simulation.lines().stream()
+              .filter(each -> each.robot().equals(name))
+              .collect(Collectors.toMap(SimulatedLine::device, SimulatedLine::link));
+      written.put(name, FieldRobot.describe(FOLDER.resolve(name + ".xml"), name, links));
+    }
+    this.locators =
+        written.values().stream()
+            .map(each -> "jini://" + Stage.ADDRESS + ":" + each.registrar().orElseThrow().port())
+            .toList();
+    written.forEach(
+        (name, robot) -> {
+          bodies.put(name, part(robot, group -> !group.name().equals(AGENT)));
+          agents.put(name, part(robot, group -> group.name().equals(AGENT)));
+        });
+  }
+
+  private RobotDescription part(RobotDescription robot, Predicate<GroupDescription> which) {
+    return new RobotDescription(
+        robot.name(),
+        robot.host(),
+        List.of(), // by locators only: another team on this machine is none of ours
+        locators,
+        robot.persona(),
+        robot.groups().stream().filter(which).toList(),
+        robot.source());
+  }
+
+  /** Starts the bodies, and then phoenix and the agents. */
+  void start() throws Exception {
+    for (RobotDescription each : bodies.values()) {
+      EmbeddedRobot robot = new EmbeddedRobot(each);
+      running.put(each.name(), robot); // what of it was started ends with it
+      robot.start();
+    }
+    ProcessHandle unused = host.startPhoenix();
+    for (RobotDescription each : agents.values()) {
+      List<RobotBootstrap.Service> up = new RobotBootstrap(host.phoenix(), each).up();
+      if (up.isEmpty()) {
+        throw new IOException(each.source() + ": robot " + each.name() + " has no group " + AGENT);
+      }
+    }
+  }
+
+  /** Where all of it is found. */
+  List<String> locators() {
+    return locators;
+  }
+
+  /** What of each robot is embedded here. */
+  List<RobotDescription> bodies() {
+    return List.copyOf(bodies.values());
+  }
+
+  /** The process of a robot's agent. */
+  long process(String robot) throws IOException {
+    return host.group(robot + "." + AGENT).pid();
+  }
+
+  /** Sends the process of a robot's agent a signal. */
+  void signal(String name, String robot) throws IOException, InterruptedException {
+    stage.signal(name, process(robot));
+  }
+
+  /** A robot dies on its way: its agent is killed, and its modules and its registrar are gone. */
+  void die(String robot) throws IOException, InterruptedException {
+    signal("KILL", robot);
+    EmbeddedRobot body = running.remove(robot);
+    if (body != null) {
+      body.close();
+    }
+  }
+
+  /** {@inheritDoc} The agents end with the stage. */
+  @Override
+  public void close() throws IOException {
+    Ending ending = new Ending("the team");
+    List<EmbeddedRobot> robots = new ArrayList<>(running.values());
+    running.clear();
+    robots.forEach(ending::end);
+    ending.orThrow();
+  }
+}

@@ -1,0 +1,117 @@
+package org.dfra.app.fuzzy;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.dfra.app.plot.MatrixPanel;
+import org.dfra.app.plot.MatrixPanel.Cell;
+import org.dfra.app.plot.MatrixPanel.Factor;
+import org.dfra.behaviors.fuzzy.FuzzySystem;
+import org.dfra.behaviors.fuzzy.Rule;
+import org.dfra.behaviors.fuzzy.RuleSentences;
+import org.dfra.behaviors.fuzzy.Variable;
+
+/**
+ * The rules of a system as a table of what they say for each combination of the inputs' terms. It
+ * can be made where each rule counts fully and asks for terms, or for any, that must all hold, and
+ * where the table is not too large to be read.
+ */
+final class RuleTable {
+
+  private static final int MOST_COLUMNS = 16;
+  private static final int MOST_ROWS = 48;
+
+  private final FuzzySystem system;
+  private final List<Factor> rows;
+  private final List<Factor> columns;
+
+  private RuleTable(FuzzySystem system, List<Factor> rows, List<Factor> columns) {
+    this.system = system;
+    this.rows = rows;
+    this.columns = columns;
+  }
+
+  /** The table, if it can be made. */
+  static Optional<RuleTable> of(FuzzySystem system) {
+    boolean hasNoTerm = system.inputs().stream().anyMatch(input -> input.terms().isEmpty());
+    if (hasNoTerm || !system.rules().stream().allMatch(RuleTable::isPlain)) {
+      return Optional.empty();
+    }
+    List<Factor> factors = system.inputs().stream().map(RuleTable::factor).toList();
+    for (int split = 1; split < factors.size(); split++) {
+      List<Factor> rows = factors.subList(0, split);
+      List<Factor> columns = factors.subList(split, factors.size());
+      if (size(columns) <= MOST_COLUMNS && size(rows) <= MOST_ROWS) {
+        return Optional.of(new RuleTable(system, rows, columns));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static boolean isPlain(Rule rule) {
+    return rule.weight() == 1
+        && rule.antecedents().stream().allMatch(term -> term >= 0)
+        && (rule.connective() == Rule.Connective.AND || asked(rule) == 1);
+  }
+
+  private static long asked(Rule rule) {
+    return rule.antecedents().stream().filter(term -> term != 0).count();
+  }
+
+  private static Factor factor(Variable input) {
+    return new Factor(input.name(), RuleSentences.words(input));
+  }
+
+  private static long size(List<Factor> factors) {
+    return factors.stream().mapToLong(each -> each.values().size()).reduce(1, (a, b) -> a * b);
+  }
+
+  /** What the rules say of an output. */
+  MatrixPanel panel(int output) {
+    Variable variable = system.outputs().get(output);
+    List<List<Cell>> cells = new ArrayList<>();
+    for (int[] row : MatrixPanel.combinationsOf(rows)) {
+      List<Cell> line = new ArrayList<>();
+      for (int[] column : MatrixPanel.combinationsOf(columns)) {
+        int[] terms = IntStream.concat(IntStream.of(row), IntStream.of(column)).toArray();
+        line.add(cell(variable, said(terms, output)));
+      }
+      cells.add(line);
+    }
+    return new MatrixPanel("What the rules say of " + variable.name(), rows, columns, cells);
+  }
+
+  /** The consequents of the rules that hold for these terms, given by their places from 0. */
+  private Set<Integer> said(int[] terms, int output) {
+    Set<Integer> said = new LinkedHashSet<>();
+    for (Rule rule : system.rules()) {
+      int consequent = rule.consequents().get(output);
+      boolean holds =
+          asked(rule) == 0
+              || IntStream.range(0, terms.length)
+                  .allMatch(
+                      i ->
+                          rule.antecedents().get(i) == 0
+                              || rule.antecedents().get(i) == terms[i] + 1);
+      if (holds && consequent != 0) {
+        said.add(consequent);
+      }
+    }
+    return said;
+  }
+
+  private static Cell cell(Variable output, Set<Integer> said) {
+    if (said.isEmpty()) {
+      return Cell.EMPTY;
+    }
+    String text =
+        String.join(" | ", said.stream().map(term -> RuleSentences.word(output, term)).toList());
+    boolean isOne = said.size() == 1 && said.iterator().next() > 0;
+    int last = Math.max(1, output.terms().size() - 1);
+    double part = isOne ? (said.iterator().next() - 1.0) / last : Double.NaN;
+    return new Cell(text, part, Surface.isAroundZero(output));
+  }
+}

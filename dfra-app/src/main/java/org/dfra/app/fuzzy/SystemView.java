@@ -1,0 +1,130 @@
+package org.dfra.app.fuzzy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import org.dfra.app.plot.Numerals;
+import org.dfra.app.terminal.Table;
+import org.dfra.behaviors.fuzzy.FuzzySystem;
+import org.dfra.behaviors.fuzzy.Methods;
+import org.dfra.behaviors.fuzzy.RuleSentences;
+import org.dfra.behaviors.fuzzy.Term;
+import org.dfra.behaviors.fuzzy.Variable;
+
+/**
+ * What is told of a fuzzy system.
+ *
+ * @param name its name
+ * @param type mamdani or sugeno
+ * @param methods how it reckons
+ * @param inputs what it reads
+ * @param outputs what it commands
+ * @param rules sentences, in their order
+ * @param surfaces what the surfaces in the picture are of
+ * @param picture where it is drawn
+ */
+record SystemView(
+    String name,
+    String type,
+    MethodsView methods,
+    List<VariableView> inputs,
+    List<VariableView> outputs,
+    List<String> rules,
+    List<String> surfaces,
+    String picture) {
+
+  /** So few rules are told in a terminal; more are only counted. */
+  private static final int MOST_RULES = 12;
+
+  /** The methods by their names in a {@code .fis} file. */
+  record MethodsView(
+      String and, String or, String implication, String aggregation, String defuzzification) {
+
+    static MethodsView of(Methods methods) {
+      return new MethodsView(
+          word(methods.and()),
+          word(methods.or()),
+          word(methods.implication()),
+          word(methods.aggregation()),
+          word(methods.defuzzification()));
+    }
+
+    /** Without those that a Sugeno system does not use. */
+    String words(boolean isMamdani) {
+      String sets = ", implication " + implication + ", aggregation " + aggregation;
+      return "and " + and + ", or " + or + (isMamdani ? sets : "") + ", " + defuzzification;
+    }
+  }
+
+  /** An input or output; the ends of its range are in its own unit. */
+  record VariableView(String name, double low, double high, List<TermView> terms) {
+
+    static VariableView of(Variable variable) {
+      return new VariableView(
+          variable.name(),
+          variable.low(),
+          variable.high(),
+          variable.terms().stream().map(TermView::of).toList());
+    }
+
+    String range() {
+      return Numerals.of(low) + " to " + Numerals.of(high);
+    }
+
+    String words() {
+      return String.join(", ", RuleSentences.distinct(terms.stream().map(TermView::name).toList()));
+    }
+  }
+
+  /** A term, with its type and parameters as in a {@code .fis} file. */
+  record TermView(String name, String type, List<Double> parameters) {
+
+    static TermView of(Term term) {
+      return new TermView(term.name(), term.function().word(), term.function().parameters());
+    }
+  }
+
+  static SystemView of(FuzzySystem system, List<Surface> surfaces, Path picture) {
+    return new SystemView(
+        system.name(),
+        word(system.type()),
+        MethodsView.of(system.methods()),
+        system.inputs().stream().map(VariableView::of).toList(),
+        system.outputs().stream().map(VariableView::of).toList(),
+        new RuleSentences(system).all(),
+        surfaces.stream().map(Surface::description).toList(),
+        picture.toString());
+  }
+
+  private boolean isMamdani() {
+    return type.equals(word(FuzzySystem.Type.MAMDANI));
+  }
+
+  private static String word(Enum<?> method) {
+    return method.name().toLowerCase(Locale.ROOT);
+  }
+
+  /** For people. */
+  List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        name + ": " + (isMamdani() ? "Mamdani" : "Sugeno") + ", " + methods.words(isMamdani()));
+    lines.add("");
+    Table table = new Table("VARIABLE", "IS", "RANGE", "TERMS");
+    inputs.forEach(each -> table.row(each.name(), "input", each.range(), each.words()));
+    outputs.forEach(each -> table.row(each.name(), "output", each.range(), each.words()));
+    lines.addAll(table.lines());
+    lines.add("");
+    if (rules.size() <= MOST_RULES) {
+      IntStream.range(0, rules.size())
+          .forEach(i -> lines.add("  " + (i + 1) + ". " + rules.get(i)));
+    } else {
+      lines.add(rules.size() + " rules, which are in the picture.");
+    }
+    lines.add("");
+    lines.add("Drawn: " + picture);
+    return lines;
+  }
+}

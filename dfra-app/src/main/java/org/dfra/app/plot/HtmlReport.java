@@ -1,0 +1,151 @@
+package org.dfra.app.plot;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+
+/**
+ * A report in one file that needs no other and runs nothing: text, tables, and pages as inline SVG.
+ * All text is plain and is escaped. Confined to one thread.
+ */
+public final class HtmlReport {
+
+  private static final String STYLE =
+      """
+      body { font: 16px/1.5 sans-serif; color: #222; max-width: 1200px; margin: 2em auto; padding: 0 1em; }
+      h1, h2 { line-height: 1.25; }
+      p, figcaption { max-width: 50em; }
+      table { border-collapse: collapse; margin: 1em 0; }
+      th, td { border: 1px solid #ccc; padding: 0.25em 0.75em; text-align: left; vertical-align: top; }
+      th { background: #f3f3f3; }
+      figure { margin: 1.5em 0; }
+      figure svg { display: block; width: 100%; height: auto; }
+      figcaption { color: #555; }
+      """;
+
+  private final StringBuilder body = new StringBuilder();
+  private final String title;
+  private int figures;
+
+  public HtmlReport(String title) {
+    this.title = title;
+  }
+
+  /** Begins a section. */
+  public HtmlReport heading(String text) {
+    return element("h2", text);
+  }
+
+  /** Adds a paragraph. */
+  public HtmlReport paragraph(String text) {
+    return element("p", text);
+  }
+
+  private HtmlReport element(String name, String text) {
+    body.append('<').append(name).append('>').append(escaped(text));
+    body.append("</").append(name).append(">\n");
+    return this;
+  }
+
+  /**
+   * Adds a table.
+   *
+   * @param headings of the columns
+   * @param rows of as many cells each
+   */
+  public HtmlReport table(List<String> headings, List<List<String>> rows) {
+    for (List<String> row : rows) {
+      if (row.size() != headings.size()) {
+        throw new IllegalArgumentException(
+            row.size() + " cells in a table of " + headings.size() + " columns");
+      }
+    }
+    body.append("<table>\n<thead>");
+    row("th", headings);
+    body.append("</thead>\n<tbody>\n");
+    rows.forEach(row -> row("td", row));
+    body.append("</tbody>\n</table>\n");
+    return this;
+  }
+
+  private void row(String cell, List<String> texts) {
+    body.append("<tr>");
+    for (String text : texts) {
+      body.append('<').append(cell).append('>').append(escaped(text));
+      body.append("</").append(cell).append('>');
+    }
+    body.append("</tr>\n");
+  }
+
+  /**
+   * Adds a page as it is now.
+   *
+   * @param caption what is to be seen in it; empty for none
+   * @throws NoFontException if no font is installed
+   */
+  public HtmlReport figure(Page page, String caption) {
+    figures++;
+    body.append("<figure>\n").append(page.element("figure" + figures + "-"));
+    if (!caption.isEmpty()) {
+      element("figcaption", caption);
+    }
+    body.append("</figure>\n");
+    return this;
+  }
+
+  /**
+   * Adds a picture.
+   *
+   * @param data as it is encoded, and kept in the document
+   * @param mediaType how: {@code image/png}
+   * @param caption what is to be seen in it
+   */
+  public HtmlReport picture(byte[] data, String mediaType, String caption) {
+    body.append("<figure>\n<img src=\"data:")
+        .append(escaped(mediaType))
+        .append(";base64,")
+        .append(Base64.getEncoder().encodeToString(data))
+        .append("\" alt=\"")
+        .append(escaped(caption))
+        .append("\">\n");
+    element("figcaption", caption);
+    body.append("</figure>\n");
+    return this;
+  }
+
+  /** The whole document. */
+  public String html() {
+    return """
+        <!DOCTYPE html>
+        <html lang="en">
+        <head>
+        <meta charset="utf-8">
+        <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
+        <meta name="viewport" content="width=device-width, initial-scale=1">
+        <title>%1$s</title>
+        <style>
+        %2$s</style>
+        </head>
+        <body>
+        <h1>%1$s</h1>
+        %3$s</body>
+        </html>
+        """
+        .formatted(escaped(title), STYLE, body);
+  }
+
+  /** Writes the whole document to a file. */
+  public void write(Path file) throws IOException {
+    Files.writeString(file, html(), StandardCharsets.UTF_8);
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
+  }
+}

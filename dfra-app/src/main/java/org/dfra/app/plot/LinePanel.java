@@ -1,0 +1,194 @@
+package org.dfra.app.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+
+/** Values over time, or over any other quantity. Confined to one thread until it is painted. */
+public final class LinePanel implements Panel {
+
+  private static final double MARGIN = 0.05;
+  private static final BasicStroke DOTTED =
+      new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 10, new float[] {3, 3}, 0);
+  private static final int GAP = 3;
+
+  private final String title;
+  private final Axis x;
+  private final Axis y;
+  private final List<Series> all = new ArrayList<>();
+  private final List<Mark> marks = new ArrayList<>();
+
+  private final List<Span> spans = new ArrayList<>();
+
+  private final List<Note> notes = new ArrayList<>();
+
+  /** A line from one side to the other with what it means. */
+  private record Mark(boolean isMoment, double value, String label) {}
+
+  /** An upright line with the number under which a list tells what it means. */
+  private record Note(double at, String number) {}
+
+  /** A band from bottom to top with what it means. */
+  private record Span(double from, double to, String label) {}
+
+  /**
+   * @param x what the values are over, such as time
+   * @param y what the values are
+   */
+  public LinePanel(String title, Axis x, Axis y) {
+    this.title = title;
+    this.x = x;
+    this.y = y;
+  }
+
+  /** Adds series; later ones are drawn above earlier ones. */
+  public LinePanel add(Series... series) {
+    all.addAll(Arrays.asList(series));
+    return this;
+  }
+
+  /**
+   * Marks where something happens.
+   *
+   * @param at in the unit of the horizontal axis
+   * @param label what happens, in a few words
+   */
+  public LinePanel moment(double at, String label) {
+    marks.add(new Mark(true, at, label));
+    return this;
+  }
+
+  /**
+   * Marks where something happens of which a list beside the figure tells.
+   *
+   * @param at in the unit of the horizontal axis
+   * @param number its number in that list
+   */
+  public LinePanel note(double at, int number) {
+    notes.add(new Note(at, Integer.toString(number)));
+    return this;
+  }
+
+  /**
+   * Marks how long something lasts; what reaches beyond the axis is cut.
+   *
+   * @param from in the unit of the horizontal axis
+   * @param to likewise
+   * @param label what lasts, in a few words
+   */
+  public LinePanel span(double from, double to, String label) {
+    spans.add(new Span(from, to, label));
+    return this;
+  }
+
+  /**
+   * Marks a value that must not be passed, or should be met.
+   *
+   * @param at in the unit of the vertical axis
+   * @param label what it is, in a few words
+   */
+  public LinePanel limit(double at, String label) {
+    marks.add(new Mark(false, at, label));
+    return this;
+  }
+
+  @Override
+  public void paint(Graphics2D g, int width, int height) {
+    Plot plot = new Plot(title, x, y, all, this::paintMarks, width, height);
+    plot.show(
+        x.over(Range.of(all.stream().flatMapToDouble(each -> Arrays.stream(each.x())), 0)),
+        y.over(Range.of(all.stream().flatMapToDouble(each -> Arrays.stream(each.y())), MARGIN)));
+    plot.paint(g, this::paintLabels);
+  }
+
+  private void paintMarks(Graphics2D g, Plot plot) {
+    Plot.paper(all).paint(g, plot);
+    Rectangle2D area = plot.area();
+    g.setColor(Palette.BAND);
+    for (Span each : spans) {
+      double left = Math.max(area.getMinX(), plot.x(each.from()));
+      double right = Math.min(area.getMaxX(), plot.x(each.to()));
+      if (right > left) {
+        g.fill(new Rectangle2D.Double(left, area.getMinY(), right - left, area.getHeight()));
+      }
+    }
+    g.setColor(Palette.GREY);
+    g.setStroke(DOTTED);
+    notes.forEach(each -> upright(g, plot.x(each.at()), area));
+    for (Mark each : marks) {
+      if (each.isMoment()) {
+        upright(g, plot.x(each.value()), area);
+      } else {
+        double at = plot.y(each.value());
+        g.draw(new Line2D.Double(area.getMinX(), at, area.getMaxX(), at));
+      }
+    }
+  }
+
+  private static void upright(Graphics2D g, double at, Rectangle2D area) {
+    g.draw(new Line2D.Double(at, area.getMinY(), at, area.getMaxY()));
+  }
+
+  /** Above the series, on a piece of paper each, so that they can be read. */
+  private void paintLabels(Graphics2D g, Plot plot) {
+    Rectangle2D area = plot.area();
+    for (Span each : spans) {
+      double right = Math.min(area.getMaxX(), plot.x(each.to()));
+      if (right > area.getMinX() && plot.x(each.from()) < area.getMaxX()) {
+        upwards(g, right, area, each.label());
+      }
+    }
+    for (Mark each : marks) {
+      if (each.isMoment()) {
+        upwards(g, plot.x(each.value()), area, each.label());
+      } else {
+        double length = Letters.width(each.label(), Letters.SMALL);
+        AffineTransform before = g.getTransform();
+        g.translate(area.getMaxX() - GAP - length, plot.y(each.value()) - GAP);
+        label(g, each.label(), length);
+        g.setTransform(before);
+      }
+    }
+    paintNumbers(g, plot);
+  }
+
+  /** At the upper ends of their lines; where there is no room beside the last, below it. */
+  private void paintNumbers(Graphics2D g, Plot plot) {
+    double thick = Letters.height(Letters.SMALL) + GAP;
+    double taken = Double.NEGATIVE_INFINITY;
+    int level = 0;
+    for (Note each : notes.stream().sorted(Comparator.comparingDouble(Note::at)).toList()) {
+      double wide = Letters.width(each.number(), Letters.SMALL);
+      double left = plot.x(each.at()) - wide / 2;
+      level = left > taken ? 0 : level + 1;
+      taken = left + wide + 2 * GAP;
+      AffineTransform before = g.getTransform();
+      g.translate(left, plot.area().getMinY() + (level + 1) * thick);
+      label(g, each.number(), wide);
+      g.setTransform(before);
+    }
+  }
+
+  /** Left of an upright line, from its upper end downwards. */
+  private static void upwards(Graphics2D g, double at, Rectangle2D area, String text) {
+    double length = Letters.width(text, Letters.SMALL);
+    AffineTransform before = g.getTransform();
+    g.translate(at - GAP, area.getMinY() + GAP + length);
+    g.rotate(-Math.PI / 2);
+    label(g, text, length);
+    g.setTransform(before);
+  }
+
+  private static void label(Graphics2D g, String text, double length) {
+    double thick = Letters.height(Letters.SMALL);
+    g.setColor(Palette.VEIL);
+    g.fill(new Rectangle2D.Double(-1, -thick - 1, length + 2, thick + 2));
+    Letters.paint(g, text, Letters.SMALL, Palette.INK, 0, 0, Letters.Side.LEFT);
+  }
+}

@@ -1,0 +1,15 @@
+package org.dfra.app.plot;
+
+/** This computer has no font that Java can use, so no picture can be painted. */
+public final class NoFontException extends RuntimeException {
+
+  private static final long serialVersionUID = 1L;
+
+  NoFontException(Throwable cause) {
+    super(
+        "no picture can be painted, since Java finds no font here ("
+            + cause.getMessage()
+            + "); install fontconfig and a font, as apt-get install fontconfig fonts-dejavu-core",
+        cause);
+  }
+}

@@ -1,0 +1,97 @@
+package org.dfra.app.plot;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Numbers at points of a plot, each in a disc of its own beside its point and joined to it. A disc
+ * stands where it hides neither a point nor another disc, as near as there is room. Confined to one
+ * thread.
+ */
+final class NumberTags {
+
+  private static final double POINT = 2.5; // radius, pixels
+  private static final double TAG = 9; // likewise
+  private static final double NEAREST = 16; // from the point to the disc's middle
+  private static final double STEP = 8;
+  private static final int RINGS = 12;
+  private static final int DIRECTIONS = 12;
+
+  private final Rectangle2D area;
+  private final List<Tag> all = new ArrayList<>();
+
+  private record Tag(Point2D at, String number) {}
+
+  /**
+   * @param area that discs stay in
+   */
+  NumberTags(Rectangle2D area) {
+    this.area = area;
+  }
+
+  /** Adds one, its point in pixels. */
+  void add(double x, double y, String number) {
+    all.add(new Tag(new Point2D.Double(x, y), number));
+  }
+
+  /** The first is placed first. */
+  void paint(Graphics2D g) {
+    g.setStroke(Palette.THIN);
+    List<Point2D> discs = new ArrayList<>();
+    for (Tag each : all) {
+      Point2D disc = place(each.at(), discs);
+      discs.add(disc);
+      g.setColor(Palette.INK);
+      g.draw(new Line2D.Double(each.at(), disc));
+      g.fill(circle(each.at(), POINT));
+    }
+    double baseline = Letters.height(Letters.SMALL) / 2;
+    for (int i = 0; i < discs.size(); i++) {
+      Point2D disc = discs.get(i);
+      g.setColor(Palette.PAPER);
+      g.fill(circle(disc, TAG));
+      g.setColor(Palette.INK);
+      g.draw(circle(disc, TAG));
+      Letters.paint(
+          g,
+          all.get(i).number(),
+          Letters.SMALL,
+          Palette.INK,
+          disc.getX(),
+          disc.getY() + baseline,
+          Letters.Side.MIDDLE);
+    }
+  }
+
+  private static Ellipse2D circle(Point2D at, double radius) {
+    return new Ellipse2D.Double(at.getX() - radius, at.getY() - radius, 2 * radius, 2 * radius);
+  }
+
+  /** From the upper right on, clockwise, and farther away with each round. */
+  private Point2D place(Point2D at, List<Point2D> taken) {
+    for (int ring = 0; ring < RINGS; ring++) {
+      double far = NEAREST + ring * STEP;
+      for (int i = 0; i < DIRECTIONS; i++) {
+        double angle = 2 * Math.PI * i / DIRECTIONS - Math.PI / 4;
+        Point2D disc =
+            new Point2D.Double(
+                at.getX() + far * Math.cos(angle), at.getY() + far * Math.sin(angle));
+        if (isRoom(disc, taken)) {
+          return disc;
+        }
+      }
+    }
+    return new Point2D.Double(at.getX(), at.getY() - NEAREST); // all is full
+  }
+
+  private boolean isRoom(Point2D disc, List<Point2D> taken) {
+    return area.contains(disc.getX() - TAG, disc.getY() - TAG, 2 * TAG, 2 * TAG)
+        && taken.stream().allMatch(other -> other.distance(disc) > 2 * TAG + 2)
+        && all.stream().allMatch(other -> other.at().distance(disc) > TAG + POINT + 1);
+  }
+}

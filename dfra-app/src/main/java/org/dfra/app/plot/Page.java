@@ -1,0 +1,153 @@
+package org.dfra.app.plot;
+
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Panels in rows below a title, painted to one picture. Confined to one thread.
+ *
+ * <pre>{@code
+ * Page page = new Page("Two robots on one field");
+ * page.row(420, new PathPanel("Paths", east, north).add(Series.line("atrv1", xs, ys)));
+ * page.row(240, new LinePanel("Speed", time, speed).add(Series.line("atrv1", ts, vs)), other);
+ * page.write(Path.of("run.svg"));
+ * }</pre>
+ */
+public final class Page {
+
+  private static final int WIDTH = 1200;
+  private static final int MARGIN = 6;
+  private static final int TITLE_HEIGHT = 40;
+
+  /** As SVG paints. */
+  static final Map<RenderingHints.Key, Object> HINTS =
+      Map.of(
+          RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON,
+          RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON,
+          RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
+
+  private final String title;
+  private final List<Row> rows = new ArrayList<>();
+
+  private record Row(int height, List<Panel> panels) {}
+
+  /**
+   * @param title what the whole picture shows; empty for none
+   */
+  public Page(String title) {
+    this.title = title;
+  }
+
+  /**
+   * Adds a row below the others.
+   *
+   * @param height in pixels; the page is 1200 wide
+   * @param panels from left to right, all as wide
+   */
+  public Page row(int height, Panel... panels) {
+    if (panels.length == 0 || height <= 0) {
+      throw new IllegalArgumentException(
+          "a row wants a panel and a height above 0, not " + panels.length + " and " + height);
+    }
+    rows.add(new Row(height, List.of(panels)));
+    return this;
+  }
+
+  /** What it shows. */
+  public String title() {
+    return title;
+  }
+
+  /** How wide each of so many panels in a row is, in pixels. */
+  public static int panelWidth(int panels) {
+    return (WIDTH - (panels + 1) * MARGIN) / panels;
+  }
+
+  /** In pixels. */
+  public int width() {
+    return WIDTH;
+  }
+
+  /** In pixels. */
+  public int height() {
+    return top() + rows.stream().mapToInt(row -> row.height() + MARGIN).sum();
+  }
+
+  private int top() {
+    return MARGIN + (title.isEmpty() ? 0 : TITLE_HEIGHT);
+  }
+
+  /** Paints it from (0, 0) to its width and height, to a bitmap for example. */
+  public void paint(Graphics2D g) {
+    g.addRenderingHints(HINTS);
+    g.setColor(Palette.PAPER);
+    g.fill(new Rectangle2D.Double(0, 0, WIDTH, height()));
+    Letters.paint(
+        g,
+        Letters.fitting(title, Letters.TITLE, WIDTH - 2.0 * MARGIN),
+        Letters.TITLE,
+        Palette.INK,
+        WIDTH / 2.0,
+        MARGIN + TITLE_HEIGHT / 2.0 + Letters.height(Letters.TITLE) / 2,
+        Letters.Side.MIDDLE);
+    int y = top();
+    for (Row row : rows) {
+      int count = row.panels().size();
+      int width = panelWidth(count);
+      for (int i = 0; i < count; i++) {
+        AffineTransform before = g.getTransform();
+        g.translate(MARGIN + i * (width + MARGIN), y);
+        row.panels().get(i).paint(g, width, row.height());
+        g.setTransform(before);
+      }
+      y += row.height() + MARGIN;
+    }
+  }
+
+  /**
+   * Has Java paint without a display, even where one is named that does not answer. It is for
+   * programs that show no window, and counts only before Java has painted anything.
+   */
+  public static void needsNoDisplay() {
+    System.setProperty("java.awt.headless", "true");
+  }
+
+  /**
+   * The picture as an SVG document.
+   *
+   * @throws NoFontException if no font is installed
+   */
+  public String svg() {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + element("");
+  }
+
+  /**
+   * The picture as an element {@code svg}.
+   *
+   * @param prefix begins all ids in it, so that several fit into one document
+   */
+  String element(String prefix) {
+    Letters.require();
+    SvgCanvas canvas = SvgCanvas.of(WIDTH, height(), prefix);
+    paint(canvas);
+    return canvas.text(title);
+  }
+
+  /**
+   * Writes the picture to an SVG file.
+   *
+   * @throws NoFontException if no font is installed
+   */
+  public void write(Path file) throws IOException {
+    Files.writeString(file, svg(), StandardCharsets.UTF_8);
+  }
+}

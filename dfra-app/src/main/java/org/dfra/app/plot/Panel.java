@@ -1,0 +1,16 @@
+package org.dfra.app.plot;
+
+import java.awt.Graphics2D;
+
+/** A picture in a rectangle of a {@link Page}. */
+@FunctionalInterface
+public interface Panel {
+
+  /**
+   * Paints itself from (0, 0), the rectangle's upper left corner, to (width, height).
+   *
+   * @param width in pixels
+   * @param height in pixels
+   */
+  void paint(Graphics2D g, int width, int height);
+}

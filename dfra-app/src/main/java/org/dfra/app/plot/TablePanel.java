@@ -1,0 +1,72 @@
+package org.dfra.app.plot;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Rows of cells under headings. The first column is as wide as its widest cell; the others share
+ * what is left, and what is too long for its column is cut.
+ */
+public final class TablePanel implements Panel {
+
+  private static final int MARGIN = 14;
+  private static final int LINE_HEIGHT = 22;
+  private static final int GAP = 8;
+
+  private final List<List<String>> rows = new ArrayList<>();
+
+  /**
+   * @param headings of the columns
+   * @param rows of as many cells each
+   */
+  public TablePanel(List<String> headings, List<List<String>> rows) {
+    this.rows.add(List.copyOf(headings));
+    for (List<String> row : rows) {
+      if (row.size() != headings.size()) {
+        throw new IllegalArgumentException(
+            row.size() + " cells in a table of " + headings.size() + " columns");
+      }
+      this.rows.add(List.copyOf(row));
+    }
+  }
+
+  /** How high it has to be, in pixels. */
+  public int height() {
+    return rows.size() * LINE_HEIGHT + MARGIN;
+  }
+
+  @Override
+  public void paint(Graphics2D g, int width, int height) {
+    double first =
+        2 * GAP
+            + rows.stream()
+                .mapToDouble(row -> Letters.width(row.get(0), Letters.PLAIN))
+                .max()
+                .orElse(0);
+    double other = (width - 2.0 * MARGIN - first) / Math.max(1, rows.get(0).size() - 1);
+    g.setColor(Palette.HEAD);
+    g.fill(new Rectangle2D.Double(MARGIN, 0, width - 2.0 * MARGIN, LINE_HEIGHT));
+    for (int row = 0; row < rows.size(); row++) {
+      double bottom = (row + 1.0) * LINE_HEIGHT;
+      double left = MARGIN;
+      for (int column = 0; column < rows.get(row).size(); column++) {
+        double wide = column == 0 ? first : other;
+        Letters.paint(
+            g,
+            Letters.fitting(rows.get(row).get(column), Letters.PLAIN, wide - GAP),
+            Letters.PLAIN,
+            Palette.INK,
+            left + GAP,
+            bottom - (LINE_HEIGHT - Letters.height(Letters.PLAIN)) / 2,
+            Letters.Side.LEFT);
+        left += wide;
+      }
+      g.setColor(Palette.FAINT);
+      g.setStroke(Palette.THIN);
+      g.draw(new Line2D.Double(MARGIN, bottom, width - (double) MARGIN, bottom));
+    }
+  }
+}

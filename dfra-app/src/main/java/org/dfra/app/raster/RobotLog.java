@@ -1,0 +1,230 @@
+package org.dfra.app.raster;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.Overheard.Advice;
+import org.dfra.app.raster.Overheard.Fix;
+import org.dfra.app.raster.Overheard.Mate;
+import org.dfra.app.raster.Overheard.Room;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Reading;
+import org.dfra.flow.motor.DriveAdvice;
+import org.dfra.flow.motor.FuzzyDrive;
+import org.dfra.flow.perceptual.Clearance;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.flow.perceptual.TeamMate;
+import org.dfra.flow.perceptual.TeamPositions;
+import org.dfra.flow.perceptual.TeamTracker;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.LocationSensor;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.module.Module;
+import org.dfra.time.ClockOffset;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is noted of one robot while it searches: what its modules tell, held against where it truly
+ * is. Safe for use by several threads, since each module tells by one of its own.
+ */
+public final class RobotLog {
+
+  /** The estimator that robots steer by; others look on. */
+  public static final String STEERING = "position";
+
+  /** Kinds of modules that are listened to. */
+  public static final List<Class<? extends Module>> HEARD =
+      List.of(
+          PositionEstimator.class,
+          LocationSensor.class,
+          FuzzyDrive.class,
+          RangeFilter.class,
+          TeamTracker.class);
+
+  private final String robot;
+  private final LocalFrame frame;
+
+  // all guarded by this
+  private final List<Sample> samples = new ArrayList<>();
+  private final List<Fix> fixes = new ArrayList<>();
+  private final List<Advice> advice = new ArrayList<>();
+  private final List<Room> rooms = new ArrayList<>();
+  private final List<Mate> mates = new ArrayList<>();
+  private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot, what is in mates
+  private final Map<String, LocalPosition> estimated = new TreeMap<>(); // by module
+  private final Map<String, ErrorSum> errors = new TreeMap<>(); // by module
+  private double estimatedYaw = Double.NaN;
+  private @Nullable LocalPosition fixed;
+  private @Nullable Instant begin;
+
+  /** Of one estimator. */
+  private static final class ErrorSum {
+    private double squares;
+    private long count;
+
+    void add(double metres) {
+      squares += metres * metres;
+      count++;
+    }
+
+    double rms() {
+      return Math.sqrt(squares / count);
+    }
+  }
+
+  /**
+   * @param robot its name
+   * @param frame the region's
+   */
+  public RobotLog(String robot, LocalFrame frame) {
+    this.robot = robot;
+    this.frame = frame;
+  }
+
+  /** Who is to be listened to, of one kind. */
+  public <M extends Module> ModuleQuery<M> query(Class<M> kind) {
+    return ModuleQuery.of(kind).robot(robot);
+  }
+
+  /** The search begins now. Poses that were told before still count; nothing else does. */
+  public synchronized void begin(Instant now) {
+    begin = now;
+  }
+
+  /**
+   * Takes what a module tells.
+   *
+   * @param module its name
+   */
+  public ModuleListener listener(String module) {
+    return delivery -> {
+      if (delivery.event() instanceof ModuleEvent.NewReading fresh) {
+        take(module, fresh.reading());
+      }
+    };
+  }
+
+  private synchronized void take(String module, Reading reading) {
+    if (reading instanceof PoseEstimate pose) {
+      estimated.put(module, frame.toLocal(pose.position()));
+      if (module.equals(STEERING)) {
+        estimatedYaw = pose.yaw();
+      }
+    } else if (reading instanceof GpsFix fix) {
+      @Nullable GeoPosition position = fix.position();
+      if (position != null) {
+        fixed = frame.toLocal(position);
+      }
+    }
+    double time = time(reading);
+    if (time >= 0) {
+      note(time, module, reading);
+    }
+  }
+
+  private void note(double time, String module, Reading reading) {
+    if (reading instanceof GpsFix fix && fix.position() != null) {
+      LocalPosition at = frame.toLocal(fix.position());
+      fixes.add(new Fix(time, module, at.east(), at.north()));
+    } else if (reading instanceof DriveAdvice told) {
+      advice.add(
+          new Advice(
+              time,
+              told.velocity().speed(),
+              told.velocity().turnRate(),
+              told.reason(),
+              told.strength()));
+    } else if (reading instanceof Clearance room) {
+      rooms.add(new Room(time, room.left(), room.centre(), room.right()));
+    } else if (reading instanceof TeamPositions told) {
+      told.mates().forEach(this::note);
+    }
+  }
+
+  private void note(TeamMate mate) {
+    TeamMate.@Nullable Near near = mate.near();
+    @Nullable ClockOffset clock = mate.clock();
+    if (near != null && clock != null && !near.at().equals(lastSeen.get(mate.robot()))) {
+      lastSeen.put(mate.robot(), near.at());
+      mates.add(new Mate(time(near.at()), mate.robot(), near.distance(), clock));
+    }
+  }
+
+  private double time(Instant moment) {
+    return begin == null ? -1 : Duration.between(begin, moment).toNanos() / 1e9;
+  }
+
+  /** Seconds since the search began; below 0 where it had not. */
+  private double time(Reading reading) {
+    return time(reading.measured());
+  }
+
+  /**
+   * Notes where the robot is, and where it believes it is.
+   *
+   * @param truth where it truly is: only time, place, heading and clearance count
+   * @param status how far its search is
+   */
+  public synchronized MissionListener.At sample(Truth truth, BehaviorStatus status) {
+    estimated.forEach(
+        (module, position) ->
+            errors
+                .computeIfAbsent(module, unused -> new ErrorSum())
+                .add(Math.hypot(position.east() - truth.east(), position.north() - truth.north())));
+    @Nullable LocalPosition believed = estimated.get(STEERING);
+    @Nullable LocalPosition fix = fixed;
+    Sample sample =
+        new Sample(
+            truth.time(),
+            truth.east(),
+            truth.north(),
+            truth.yaw(),
+            truth.speed(),
+            believed == null ? Double.NaN : believed.east(),
+            believed == null ? Double.NaN : believed.north(),
+            estimatedYaw,
+            fix == null ? Double.NaN : fix.east(),
+            fix == null ? Double.NaN : fix.north(),
+            status.done(),
+            truth.clearance());
+    samples.add(sample);
+    return new MissionListener.At(robot, sample, status);
+  }
+
+  /**
+   * Where the robot truly is, in the region's frame.
+   *
+   * @param time seconds since the search began
+   * @param east metres
+   * @param north metres
+   * @param yaw radians, 0 is east, counter-clockwise is +
+   * @param speed over ground, metres per second
+   * @param clearance from its body to the nearest obstacle or robot, metres
+   */
+  public record Truth(
+      double time, double east, double north, double yaw, double speed, double clearance) {}
+
+  /** All that was noted. */
+  public synchronized RobotFlight flight(BehaviorStatus last) {
+    Map<String, Double> rms = new TreeMap<>();
+    errors.forEach((module, sum) -> rms.put(module, sum.rms()));
+    return new RobotFlight(
+        robot,
+        last.phase() == BehaviorStatus.Phase.SUCCEEDED,
+        last.doing(),
+        samples,
+        rms,
+        new Overheard(fixes, advice, rooms, mates));
+  }
+}

@@ -1,0 +1,47 @@
+package org.dfra.app.raster.embedded;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import org.dfra.app.raster.live.TrueWay;
+import org.dfra.app.raster.live.TruthSource;
+import org.dfra.sim.world.Collision;
+import org.dfra.sim.world.Truth;
+import org.dfra.sim.world.World;
+
+/**
+ * Where robots truly are, asked of a simulated world in this virtual machine a hundred times a
+ * second of its time. Confined to one thread.
+ */
+final class SimulatedTruth implements TruthSource {
+
+  private static final Duration PERIOD = Duration.ofMillis(10);
+
+  private final Truth truth;
+  private final InstantSource clock;
+  private Instant next;
+
+  /**
+   * @param clock by which the world goes
+   */
+  SimulatedTruth(World world, InstantSource clock) {
+    this.truth = world.truth();
+    this.clock = clock;
+    this.next = clock.instant();
+  }
+
+  /** Asks for no time to come: devices would be late then. */
+  @Override
+  public void readOn(TrueWay way) {
+    Instant now = clock.instant();
+    for (; !next.isAfter(now); next = next.plus(PERIOD)) {
+      truth.poses(next).forEach(way::add);
+    }
+  }
+
+  @Override
+  public List<Collision> collisions() {
+    return truth.collisions();
+  }
+}

@@ -1,0 +1,69 @@
+package org.dfra.app.raster.live;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.raster.Mark;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.TruePose;
+
+/**
+ * A search under way, as those see it who disturb it. Confined to the thread that watches it.
+ *
+ * @param <R> what runs a robot
+ * @param robots in the order in which they were told to search
+ * @param truth where they truly are
+ * @param clock the robots' time
+ * @param speed seconds of that in a real second
+ * @param begin when the search began
+ * @param field the world's frame
+ * @param figures takes what is measured
+ * @param tell takes what happens
+ */
+public record Scene<R>(
+    List<Searching<R>> robots,
+    TrueWay truth,
+    InstantSource clock,
+    double speed,
+    Instant begin,
+    LocalFrame field,
+    Figures figures,
+    Consumer<Mark> tell) {
+
+  public Scene {
+    robots = List.copyOf(robots);
+  }
+
+  /** Notes what happened to a robot, and tells it; the format is {@link String#format}'s. */
+  public void mark(Instant when, Searching<R> robot, String format, Object... arguments) {
+    String what = String.format(Locale.ROOT, format, arguments);
+    tell.accept(new Mark(seconds(begin, when), robot.name(), what));
+  }
+
+  /** Notes what was measured, in real seconds. */
+  public void figure(String what, double seconds, double most) {
+    figures.add(new Figure(what, seconds, most, "s"));
+  }
+
+  /** Where a robot truly is now, in the frame of its region. */
+  public LocalPosition place(Searching<R> robot) throws IOException {
+    TruePose pose = truth.last(robot.name());
+    return robot
+        .plan()
+        .region()
+        .frame()
+        .toLocal(field.toGeo(new LocalPosition(pose.east(), pose.north(), 0)));
+  }
+
+  /** From one moment to another, seconds of the robots' time. */
+  public static double seconds(Instant from, Instant to) {
+    return Duration.between(from, to).toNanos() / 1e9;
+  }
+}

@@ -1,0 +1,187 @@
+package org.dfra.app.raster.process;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.UnaryOperator;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.demo.stage.SimulatedField;
+import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.raster.Flight;
+import org.dfra.app.raster.Mission;
+import org.dfra.app.raster.MissionListener;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.live.Arrival;
+import org.dfra.app.raster.live.Searching;
+import org.dfra.app.raster.live.ToldTime;
+import org.dfra.app.raster.live.Trouble;
+import org.dfra.app.raster.live.Watch;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.time.RobotTime;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.sim.world.description.VehicleDescription;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A search in real processes: the world in one, and for each robot phoenix, its registrar and its
+ * service groups. Robots are found through lookup and told what to do by their proxies. The seed
+ * fixes the world and its noise, not when which process has its turn.
+ *
+ * <p>While it runs, this virtual machine tells those that it starts the robots' time, by {@link
+ * RobotTime#PROPERTY}; so only one can run at a time.
+ */
+public final class ProcessMission implements Mission {
+
+  private final Scenario scenario;
+  private final Path world;
+  private final double speed;
+  private final Duration longest;
+  private final UnaryOperator<RobotDescription> adapt;
+  private final List<Trouble<FieldRobot>> troubles;
+  private final Figures figures;
+
+  /**
+   * @param scenario what is searched; its world's seed counts, the rest of that world is as written
+   * @param world the file that describes the scenario's world
+   * @param speed seconds of the robots' time in a real second
+   * @param longest robots' time after which a search is given up
+   * @param adapt makes of each robot's description the one that is used
+   * @param troubled whether processes are killed on the way; that needs two robots
+   * @param figures takes what is measured
+   */
+  public ProcessMission(
+      Scenario scenario,
+      Path world,
+      double speed,
+      Duration longest,
+      UnaryOperator<RobotDescription> adapt,
+      boolean troubled,
+      Figures figures) {
+    this(scenario, world, speed, longest, adapt, troubled ? usualTroubles() : List.of(), figures);
+    if (troubled && scenario.robots().size() < 2) {
+      throw new IllegalArgumentException(
+          "processes are killed of two robots, and there is " + scenario.robots().size());
+    }
+  }
+
+  /** The same with other troubles. */
+  ProcessMission(
+      Scenario scenario,
+      Path world,
+      double speed,
+      Duration longest,
+      UnaryOperator<RobotDescription> adapt,
+      List<Trouble<FieldRobot>> troubles,
+      Figures figures) {
+    this.scenario = scenario;
+    this.world = world;
+    this.speed = speed;
+    this.longest = longest;
+    this.adapt = adapt;
+    this.troubles = List.copyOf(troubles);
+    this.figures = figures;
+  }
+
+  private static List<Trouble<FieldRobot>> usualTroubles() {
+    Trouble<FieldRobot> receiver = new KilledReceiver(0, "gps_front", 0.1);
+    Trouble<FieldRobot> navigation = new KilledOnLane(0, "navigation", 0.3, true, receiver);
+    Trouble<FieldRobot> drive = new KilledOnLane(0, "drive", 0.6, false, navigation);
+    return List.of(receiver, navigation, drive, new CutOff(1, 0.2, 0.7, Trouble.none()));
+  }
+
+  @Override
+  public String mode() {
+    return "processes";
+  }
+
+  @Override
+  public Flight run(MissionListener listener) throws Exception {
+    try (ToldTime time = new ToldTime();
+        Stage stage = new Stage()) {
+      Thread end = new Thread(() -> closeAtTheEnd(stage), "mission-end");
+      Runtime.getRuntime().addShutdownHook(end);
+      try {
+        Flight flight = run(stage, time, listener);
+        Runtime.getRuntime().removeShutdownHook(end);
+        return flight;
+      } catch (InterruptedException e) {
+        throw e;
+      } catch (Exception e) { // whatever it was, what the processes said of it is in the folder
+        stage.keepFolder();
+        String why = e instanceof IOException ? String.valueOf(e.getMessage()) : e.toString();
+        throw new IOException(why + "; the logs are in " + stage.folder(), e);
+      }
+    }
+  }
+
+  private static void closeAtTheEnd(Stage stage) {
+    try {
+      stage.close();
+    } catch (IOException e) {
+      System.err.println("dfra: " + e.getMessage());
+    }
+  }
+
+  private Flight run(Stage stage, ToldTime time, MissionListener listener) throws Exception {
+    SimulatedField field =
+        SimulatedField.start(
+            stage, world, List.of("--seed=" + scenario.world().seed(), "--speed=" + speed));
+    time.tell(field.beginning().time());
+    List<FieldRobot> robots = bringUp(stage, field);
+    List<String> locators = robots.stream().map(FieldRobot::locator).toList();
+    try (ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), locators);
+        TruthFile truth = new TruthFile(field)) {
+      List<Searching<FieldRobot>> searching = new ArrayList<>();
+      for (int i = 0; i < robots.size(); i++) {
+        FieldRobot robot = robots.get(i);
+        Arrival.await(directory, robot.description());
+        searching.add(Searching.of(robot.name(), robot, scenario.plan(i), directory));
+      }
+      Flight flight =
+          new Watch<>(scenario, truth, RobotTime.clock(), speed, searching, figures, listener)
+              .run(troubles, longest);
+      stage.shutDown();
+      return flight;
+    }
+  }
+
+  private List<FieldRobot> bringUp(Stage stage, SimulatedField field) throws Exception {
+    List<FieldRobot> strangers = new ArrayList<>();
+    for (int i = 0; i < scenario.robots().size(); i++) {
+      VehicleDescription vehicle = scenario.world().vehicles().get(i);
+      Map<String, String> links = field.links(vehicle.name());
+      strangers.add(FieldRobot.of(stage, scenario.robots().get(i), vehicle.name(), links, adapt));
+    }
+    List<String> registrars = strangers.stream().map(FieldRobot::locator).toList();
+    List<FieldRobot> robots = strangers.stream().map(each -> each.among(registrars)).toList();
+    ExecutorService threads = Executors.newFixedThreadPool(robots.size());
+    try {
+      List<Callable<List<RobotBootstrap.Service>>> tasks = new ArrayList<>();
+      robots.forEach(each -> tasks.add(each::bringUp));
+      for (Future<List<RobotBootstrap.Service>> each : threads.invokeAll(tasks)) {
+        List<RobotBootstrap.Service> unused = each.get();
+      }
+    } catch (ExecutionException e) {
+      @Nullable Throwable why = e.getCause();
+      throw new IOException(
+          "a robot did not come up: " + (why == null ? e : why).getMessage(), why);
+    } finally {
+      threads.shutdownNow();
+    }
+    for (FieldRobot each : robots) {
+      var unused = each.host().groups(); // their processes are ended whatever becomes of phoenix
+    }
+    return robots;
+  }
+}

@@ -1,0 +1,174 @@
+package org.dfra.app.recruit;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.log.LogbackLevels;
+import org.dfra.app.recruit.embedded.EmbeddedRuns;
+import org.dfra.app.recruit.embedded.LetterTimes;
+import org.dfra.module.LogLevel;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.CellResult;
+import org.dfra.recruit.experiment.Experiment;
+import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.RunResult;
+import org.dfra.recruit.experiment.Seeds;
+import org.dfra.recruit.transport.MeasuredDelays;
+
+/** A part of the experiment over real JERI, and the same over the simulated network. */
+final class EmbeddedExperiment {
+
+  private static final int OTHERS = 10; // runs with other seeds, for each real one
+  private static final String DELAYS = "letter-delays.csv";
+  private static final String TIMERS = "timer-delays.csv";
+
+  private final Plan plan;
+  private final int seeds;
+  private final int jobs;
+  private final double speed;
+  private final Narration tell;
+
+  /**
+   * @param jobs how many real runs go on at once
+   * @param speed seconds of the agents' time in a real second
+   */
+  EmbeddedExperiment(Plan plan, int seeds, int jobs, double speed, Narration tell) {
+    this.plan = EmbeddedRuns.shorter(plan);
+    this.seeds = seeds;
+    this.jobs = jobs;
+    this.speed = speed;
+    this.tell = tell;
+  }
+
+  /**
+   * Runs all and writes the report into the folder.
+   *
+   * @return the file to open
+   */
+  Path run(Path folder) throws IOException, InterruptedException {
+    LogbackLevels levels = new LogbackLevels(); // what agents say of themselves is no news here
+    levels.set("dfra", LogLevel.ERROR);
+    levels.set("com.sun.jini", LogLevel.ERROR);
+    levels.set("org.dfra.river", LogLevel.ERROR); // that a busy machine was slow, delays tell
+    List<Cell> cells = EmbeddedRuns.cells();
+    tell.chapter("running", "Who comes when a robot calls, over remote events");
+    tell.say(
+        "%d cells with %d seeds each are %d runs of %d calls over JERI; %d at once, %.0f times as"
+            + " fast as real time.",
+        cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs, speed);
+    Narration.Stopwatch watch = tell.stopwatch();
+    try (EmbeddedRuns runs = new EmbeddedRuns(plan, jobs, speed)) {
+      tell.say("Some runs that judge nothing come first, in which the machine compiles.");
+      RunProgress progress = new RunProgress(tell, System::nanoTime);
+      List<CellResult> real =
+          runs.run(
+              cells,
+              Seeds.evaluation(seeds),
+              (done, all) -> { // those that are begun together end together
+                if (done >= jobs) {
+                  progress.done(done, all);
+                }
+              });
+      double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
+      double took = watch.elapsed().toNanos() / 1e9;
+      tell.say("All real runs are done, after %.1f s; the load is %.1f.", took, load);
+      double[] letters = keep(folder.resolve(DELAYS), cells, cell -> runs.times(cell).letters());
+      double[] timers = keep(folder.resolve(TIMERS), cells, cell -> runs.times(cell).timers());
+      AgreementReport report =
+          new AgreementReport(compare(cells, real, runs), how(letters, timers, load));
+      Path file = report.write(folder);
+      tell.say("%s", report.summary());
+      figure("second helpers over JERI", report.mishaps(RunResult::doubles));
+      figure("orphaned helpers over JERI", report.mishaps(RunResult::orphans));
+      figure("comparisons that differ", report.count(Agreement.Verdict.DIFFER));
+      return file;
+    }
+  }
+
+  private void figure(String what, double measured) {
+    Figure each = new Figure(what, measured, 0, "");
+    tell.figure(each.what(), each.measured(), each.most(), each.unit());
+  }
+
+  /** The same cells, each with the delays that its real runs had, in the agents' time. */
+  private List<Agreement> compare(List<Cell> cells, List<CellResult> real, EmbeddedRuns runs)
+      throws InterruptedException {
+    List<CellResult> paired = new ArrayList<>();
+    List<CellResult> others = new ArrayList<>();
+    for (Cell cell : cells) {
+      LetterTimes times = runs.times(cell);
+      Experiment simulation =
+          new Experiment(
+              plan.with(scaled(times.letters()), scaled(times.timers())),
+              Runtime.getRuntime().availableProcessors());
+      paired.addAll(simulation.run(List.of(cell), Seeds.evaluation(seeds), (done, all) -> {}));
+      others.addAll(simulation.run(List.of(cell), Seeds.others(OTHERS * seeds), (done, all) -> {}));
+    }
+    return Agreement.all(real, paired, others);
+  }
+
+  private MeasuredDelays scaled(double[] seconds) {
+    return new MeasuredDelays(Arrays.stream(seconds).map(each -> each * speed).toArray());
+  }
+
+  /** Writes those of each cell, milliseconds of real time, and returns those of all, seconds. */
+  private static double[] keep(Path file, List<Cell> cells, Function<Cell, double[]> times)
+      throws IOException {
+    StringBuilder lines = new StringBuilder("strategy,mode,vehicles,loss,delay_ms\n");
+    List<double[]> all = new ArrayList<>();
+    for (Cell cell : cells) {
+      double[] seconds = times.apply(cell);
+      all.add(seconds);
+      for (double each : seconds) {
+        lines.append(
+            String.format(
+                Locale.ROOT,
+                "%s,%s,%d,%.2f,%.4f%n",
+                cell.strategy(),
+                Comparison.name(cell.mode()),
+                cell.vehicles(),
+                cell.loss(),
+                1e3 * each));
+      }
+    }
+    Files.writeString(file, lines);
+    return all.stream().flatMapToDouble(Arrays::stream).toArray();
+  }
+
+  private String how(double[] letters, double[] timers, double load) {
+    MeasuredDelays way = new MeasuredDelays(letters);
+    MeasuredDelays late = new MeasuredDelays(timers);
+    return String.format(
+        Locale.ROOT,
+        "Real: agents exported by JERI, found in a lookup service by what they can observe, write"
+            + " to each other by remote events over the loopback of one virtual machine. Letters"
+            + " are lost at their sender by seeded lots, robots move as in the simulation, and time"
+            + " goes %.0f times as fast as real time, so what the computer needs counts %.0f times."
+            + " %d runs in each cell, %d at once; the load of the computer was %.1f. Of %d letters"
+            + " half were on their way for less than %.2f ms, nine tenths for %.2f ms, 99 of 100"
+            + " for %.2f ms; timers were late by %.2f ms, %.2f ms and %.2f ms, all in real time."
+            + " Simulated: the same agents and places, letters delayed and timers late by the"
+            + " times of that cell, each drawn by itself, %.0f times as long.",
+        speed,
+        speed,
+        seeds,
+        jobs,
+        load,
+        letters.length,
+        1e3 * way.quantile(0.5),
+        1e3 * way.quantile(0.9),
+        1e3 * way.quantile(0.99),
+        1e3 * late.quantile(0.5),
+        1e3 * late.quantile(0.9),
+        1e3 * late.quantile(0.99),
+        speed);
+  }
+}

@@ -1,0 +1,263 @@
+package org.dfra.app.recruit;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.figure.RecordOption;
+import org.dfra.app.plot.Page;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.recruit.affect.Shame;
+import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.CellResult;
+import org.dfra.recruit.experiment.Experiment;
+import org.dfra.recruit.experiment.Grid;
+import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.Seeds;
+import org.dfra.recruit.loss.GilbertElliottLoss;
+import org.dfra.recruit.strategy.RecruitmentStrategy;
+import org.dfra.recruit.strategy.Strategies;
+import org.dfra.recruit.transport.MeasuredDelays;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra recruit experiment}. */
+@Command(
+    name = "experiment",
+    description = "Compares strategies of recruitment by simulation, and writes a report.",
+    footer = {
+      "",
+      "Affective, greedy, random and the contract net, by broadcast and by unicast, with 3, 6",
+      "and 12 vehicles, with no message lost, a tenth, a quarter and a half: 96 cells. The",
+      "seeds of a cell are those of every other. The same options give the same numbers.",
+      "",
+      "With --embedded 16 of them run over real JERI and remote events, and are compared with",
+      "the simulated network (five minutes)."
+    })
+final class ExperimentCommand implements Callable<Integer> {
+
+  private static final int LEAST_SEEDS = 2; // one has no interval
+  private static final int MOST_SEEDS = 10_000;
+  private static final int MOST_JOBS = 256;
+  private static final int EMBEDDED_JOBS = 60; // they wait, mostly
+  private static final double USUAL_SPEED = 25;
+  private static final double FASTEST = 1000;
+  private static final double LONGEST_BURST = 100; // messages
+
+  @Option(
+      names = "--seeds",
+      paramLabel = "N",
+      description = "How many runs each cell has (default ${DEFAULT-VALUE}).")
+  private int seeds = 30;
+
+  @Option(
+      names = "--strategy",
+      paramLabel = "CLASS",
+      description =
+          "One more strategy beside the four: the name of a class on DFRA_CLASSPATH; may be given"
+              + " several times.")
+  private List<String> more = new ArrayList<>();
+
+  @Option(
+      names = "--burst",
+      paramLabel = "N",
+      description =
+          "Messages are lost in bursts, of so many in the mean (default: each by itself).")
+  private @Nullable Double burst;
+
+  @Option(
+      names = "--delays",
+      paramLabel = "FILE",
+      description =
+          "Messages take as long as in this CSV file with a column delay_ms (default: as was"
+              + " measured).")
+  private @Nullable Path delays;
+
+  @Option(
+      names = "--jobs",
+      paramLabel = "N",
+      description =
+          "How many runs go on at once (default: as many as there are cores; with --embedded 60).")
+  private @Nullable Integer jobs;
+
+  @Option(
+      names = "--embedded",
+      description =
+          "Runs 16 of the cells over real JERI and remote events instead, and says whether the"
+              + " simulated network does them justice.")
+  private boolean isEmbedded;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "K",
+      description = "With --embedded: how much faster than real time (default 25).")
+  private @Nullable Double speed;
+
+  @Option(
+      names = "--report",
+      paramLabel = "DIR",
+      description =
+          "Where the report is written (default reports/recruit-experiment, with --embedded"
+              + " reports/recruit-embedded).")
+  private @Nullable Path named;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private RecordOption record;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  @Override
+  public Integer call() throws Exception {
+    within("--seeds", seeds, LEAST_SEEDS, MOST_SEEDS);
+    int jobs = jobs();
+    within("--jobs", jobs, 1, MOST_JOBS);
+    Path folder =
+        named != null
+            ? named
+            : Path.of("reports", isEmbedded ? "recruit-embedded" : "recruit-experiment");
+    Plan plan = plan();
+    if (isEmbedded) {
+      return embedded(plan, jobs, folder);
+    }
+    if (speed != null) {
+      throw new ParameterException(
+          spec.commandLine(), "--speed is for --embedded; without that time is no real time");
+    }
+    List<Cell> cells = Grid.cells(strategies(plan.shame()));
+    writable(folder);
+    Page.needsNoDisplay();
+    Narration tell = narration();
+    tell.chapter("running", "Who comes when a robot calls");
+    tell.say(
+        "%d cells with %d seeds each are %d runs, in each of which a robot calls %d times; %d at"
+            + " once.",
+        cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs);
+    Narration.Stopwatch watch = tell.stopwatch();
+    List<CellResult> results =
+        new Experiment(plan, jobs)
+            .run(cells, Seeds.evaluation(seeds), new RunProgress(tell, System::nanoTime));
+    Duration took = watch.elapsed();
+    tell.say("All runs are done, after %.1f s.", took.toNanos() / 1e9);
+    Comparison comparison = new Comparison(results);
+    comparison.sentences().forEach(sentence -> tell.say("%s", sentence));
+    comparison
+        .figures()
+        .all()
+        .forEach(each -> tell.figure(each.what(), each.measured(), each.most(), each.unit()));
+    Path file = new ExperimentReport(plan, how(plan), comparison, took, jobs).write(folder);
+    tell.say("The report is %s; every run is a line of runs.csv beside it.", file);
+    tell.table();
+    record.keep(tell.figures(), "experiment", "recruit");
+    return tell.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
+  }
+
+  private int jobs() {
+    if (jobs != null) {
+      return jobs;
+    }
+    return isEmbedded ? EMBEDDED_JOBS : Runtime.getRuntime().availableProcessors();
+  }
+
+  private Narration narration() {
+    return new Narration(spec.commandLine().getOut(), System::nanoTime, Ansi.AUTO.enabled());
+  }
+
+  private int embedded(Plan plan, int atOnce, Path folder) throws Exception {
+    double times = speed == null ? USUAL_SPEED : speed;
+    if (!(times >= 1 && times <= FASTEST)) {
+      throw new ParameterException(
+          spec.commandLine(), "--speed=" + speed + " is not a number from 1 to 1000");
+    }
+    if (delays != null || !more.isEmpty()) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--embedded compares two strategies of DFRA, by the delays that they have; leave out"
+              + " --strategy and --delays");
+    }
+    writable(folder);
+    Page.needsNoDisplay();
+    Narration tell = narration();
+    Path file = new EmbeddedExperiment(plan, seeds, atOnce, times, tell).run(folder);
+    tell.say("The report is %s; every run is a line of runs-real.csv beside it.", file);
+    tell.table();
+    record.keep(tell.figures(), "experiment", "recruit-embedded");
+    return tell.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
+  }
+
+  private void within(String option, int number, int least, int most) {
+    if (number < least || number > most) {
+      throw new ParameterException(
+          spec.commandLine(),
+          option + "=" + number + " is not a number from " + least + " to " + most);
+    }
+  }
+
+  private Plan plan() throws IOException {
+    Plan plan = Plan.USUAL;
+    double length = burst == null ? 1 : burst;
+    if (!(length >= 1 && length <= LONGEST_BURST)) {
+      throw new ParameterException(
+          spec.commandLine(), "--burst=" + burst + " is not a number from 1 to 100");
+    }
+    if (burst != null) {
+      plan = plan.with((share, lot) -> GilbertElliottLoss.bursts(share, length, lot));
+    }
+    return delays == null ? plan : plan.with(MeasuredDelays.read(delays));
+  }
+
+  /** The four and what was named; refuses what is none before anything is run. */
+  private List<String> strategies(ShameSettings shame) {
+    List<String> all = new ArrayList<>(Grid.STRATEGIES);
+    for (String name : more) {
+      RecruitmentStrategy unused =
+          Strategies.named(name, new Shame(shame), new SplittableRandom(1));
+      if (!all.contains(name)) {
+        all.add(name);
+      }
+    }
+    return all;
+  }
+
+  private void writable(Path folder) {
+    try {
+      Files.createDirectories(folder);
+      Files.delete(Files.createTempFile(folder, "report", ".tmp"));
+    } catch (IOException e) {
+      throw new CommandFailure(
+          ExitCode.FAILED,
+          "--report " + folder + " is no folder that can be written to (" + e + "); name another",
+          e);
+    }
+  }
+
+  /** How messages travel, for the report. */
+  private String how(Plan plan) {
+    String lost =
+        burst == null
+            ? "Messages are lost each by itself."
+            : "Messages are lost in bursts, of " + burst + " in the mean.";
+    String slow =
+        delays == null
+            ? "Each is on its way for as long as a letter between two processes of one computer was,"
+                + " drawn from benchmarks/recruit-letter-delays.csv, which ./dfra bench recruit"
+                + " measured."
+            : "Each is on its way for as long as one of those in " + delays + ".";
+    return lost + " " + slow;
+  }
+}

@@ -1,0 +1,195 @@
+package org.dfra.app.recruit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.plot.HtmlReport;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.Claim;
+import org.dfra.recruit.experiment.Claim.Verdict;
+import org.dfra.recruit.experiment.Estimate;
+import org.dfra.recruit.experiment.Grid;
+import org.dfra.recruit.experiment.Metric;
+import org.dfra.recruit.experiment.RunResult;
+import org.dfra.recruit.experiment.Trend;
+import org.dfra.recruit.transport.MessageMode;
+
+/** The tables of an experiment's report. */
+final class ExperimentTables {
+
+  private final Comparison comparison;
+  private final HtmlReport html;
+
+  ExperimentTables(Comparison comparison, HtmlReport html) {
+    this.comparison = comparison;
+    this.html = html;
+  }
+
+  /** What was wanted, and what came of it. */
+  void wanted() {
+    List<List<String>> rows = new ArrayList<>();
+    for (Figure each : comparison.figures().all()) {
+      rows.add(
+          List.of(
+              each.what(),
+              String.format(Locale.ROOT, "%.3f", each.measured()),
+              String.format(Locale.ROOT, "at most %s", each.most() == 0 ? "0" : each.most()),
+              each.isMet() ? "met" : "MISSED"));
+    }
+    html.table(List.of("Figure", "Measured", "Wanted", ""), rows);
+  }
+
+  /** In how many cells the affective strategy wins and loses. */
+  void verdicts() {
+    List<List<String>> rows = new ArrayList<>();
+    for (MessageMode mode : MessageMode.values()) {
+      for (String rival : rivals()) {
+        for (Metric metric : Metric.values()) {
+          rows.add(
+              List.of(
+                  Comparison.name(mode),
+                  rival,
+                  title(metric),
+                  count(mode, rival, metric, Verdict.WINS),
+                  count(mode, rival, metric, Verdict.LOSES),
+                  count(mode, rival, metric, Verdict.OPEN)));
+        }
+      }
+    }
+    html.table(
+        List.of(
+            "Messages",
+            "Against",
+            "Of which less is better",
+            "It wins",
+            "It LOSES",
+            "No difference seen"),
+        rows);
+  }
+
+  private String count(MessageMode mode, String rival, Metric metric, Verdict verdict) {
+    return Long.toString(comparison.count(mode, rival, metric, verdict));
+  }
+
+  private List<String> rivals() {
+    return comparison.strategies().stream().filter(each -> !each.equals(Claim.AFFECTIVE)).toList();
+  }
+
+  /** Every comparison of one metric that has a sign. */
+  void claims(Metric metric) {
+    List<List<String>> rows = new ArrayList<>();
+    for (Claim each : comparison.claims()) {
+      if (each.metric() == metric && each.verdict() != Verdict.OPEN) {
+        rows.add(row(each));
+      }
+    }
+    if (rows.isEmpty()) {
+      html.paragraph("No difference was seen in any cell.");
+    } else {
+      html.table(claimHeadings(), rows);
+    }
+  }
+
+  private static List<String> claimHeadings() {
+    return List.of(
+        "Messages", "Vehicles", "Loss", "Against", "Affective", "More by (95 %)", "Of the other's");
+  }
+
+  private static List<String> row(Claim claim) {
+    Cell cell = claim.cell();
+    return List.of(
+        Comparison.name(cell.mode()),
+        Integer.toString(cell.vehicles()),
+        percent(cell.loss()),
+        claim.rival(),
+        claim.verdict() == Verdict.WINS ? "wins" : "LOSES",
+        claim.more().toString(),
+        Double.isNaN(claim.share())
+            ? ""
+            : String.format(Locale.ROOT, "%+.0f %%", 100 * claim.share()));
+  }
+
+  /** Every cell's value of a metric, by one way to send messages to all. */
+  void metric(Metric metric, MessageMode mode) {
+    List<String> headings =
+        Stream.concat(Stream.of("Vehicles", "Loss"), comparison.strategies().stream()).toList();
+    List<List<String>> rows = new ArrayList<>();
+    for (int vehicles : Grid.VEHICLES) {
+      for (double loss : Grid.LOSSES) {
+        List<String> row = new ArrayList<>(List.of(Integer.toString(vehicles), percent(loss)));
+        for (String strategy : comparison.strategies()) {
+          row.add(value(metric, new Cell(strategy, mode, vehicles, loss)));
+        }
+        rows.add(row);
+      }
+    }
+    html.table(headings, rows);
+  }
+
+  private String value(Metric metric, Cell cell) {
+    return comparison
+        .of(cell)
+        .map(
+            each ->
+                switch (metric) {
+                  case DOUBLES -> Integer.toString(each.total(RunResult::doubles));
+                  case ORPHANS -> Integer.toString(each.total(RunResult::orphans));
+                  case FAILURES ->
+                      each.total(run -> run.calls() - run.successes())
+                          + " of "
+                          + each.total(RunResult::calls)
+                          + ": "
+                          + metric.of(each);
+                  default -> text(metric.of(each));
+                })
+        .orElse("");
+  }
+
+  private static String text(Estimate estimate) {
+    return Double.isNaN(estimate.value()) ? "nothing to measure" : estimate.toString();
+  }
+
+  /** How a metric changes with the team and with the loss. */
+  void trends(Metric metric) {
+    List<List<String>> rows = new ArrayList<>();
+    for (Trend each : Trend.byTeam(comparison.results(), metric)) {
+      rows.add(
+          row(
+              each,
+              each.from().vehicles() + " to " + each.to().vehicles() + " vehicles",
+              percent(each.from().loss()) + " loss"));
+    }
+    for (Trend each : Trend.byLoss(comparison.results(), metric)) {
+      rows.add(
+          row(
+              each,
+              percent(each.from().loss()) + " to " + percent(each.to().loss()) + " loss",
+              each.from().vehicles() + " vehicles"));
+    }
+    html.table(List.of("Messages", "Strategy", "From … to", "At", "It", "By (95 %)"), rows);
+  }
+
+  private static List<String> row(Trend trend, String way, String at) {
+    return List.of(
+        Comparison.name(trend.from().mode()),
+        trend.from().strategy(),
+        way,
+        at,
+        switch (trend.sign()) {
+          case 1 -> "grows";
+          case -1 -> "falls";
+          default -> "no change was seen";
+        },
+        trend.more().toString());
+  }
+
+  static String title(Metric metric) {
+    return metric.title() + ", " + metric.unit();
+  }
+
+  private static String percent(double share) {
+    return String.format(Locale.ROOT, "%.0f %%", 100 * share);
+  }
+}

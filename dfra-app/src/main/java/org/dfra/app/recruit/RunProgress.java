@@ -1,0 +1,61 @@
+package org.dfra.app.recruit;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.dfra.app.demo.stage.Narration;
+import org.dfra.recruit.experiment.Experiment;
+
+/**
+ * Tells how far an experiment is: on a terminal by a bar that is redrawn, elsewhere in a sentence
+ * every ten seconds.
+ */
+final class RunProgress implements Experiment.Progress {
+
+  private static final long REDRAW = TimeUnit.MILLISECONDS.toNanos(200);
+  private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
+  private static final int WIDE = 40;
+
+  private final Narration tell;
+  private final LongSupplier nanos;
+  private final long began;
+  private long told; // guarded by this
+
+  /**
+   * @param nanos a clock of real time, of which only differences are taken
+   */
+  RunProgress(Narration tell, LongSupplier nanos) {
+    this.tell = tell;
+    this.nanos = nanos;
+    this.began = nanos.getAsLong();
+    this.told = began;
+  }
+
+  @Override
+  public synchronized void done(int runs, int ofThem) {
+    long now = nanos.getAsLong();
+    boolean isLast = runs == ofThem && tell.isTerminal();
+    if (now - told < (tell.isTerminal() ? REDRAW : SENTENCE) && !isLast) {
+      return;
+    }
+    told = now;
+    double left = (now - began) / 1e9 / runs * (ofThem - runs);
+    if (tell.isTerminal()) {
+      int full = (int) ((long) WIDE * runs / ofThem);
+      tell.redraw(
+          List.of(
+              String.format(
+                  Locale.ROOT,
+                  "[%s%s] %3d %%  %d of %d runs, %.0f s left",
+                  "#".repeat(full),
+                  ".".repeat(WIDE - full),
+                  100L * runs / ofThem,
+                  runs,
+                  ofThem,
+                  left)));
+    } else {
+      tell.say("%d of %d runs are done; it takes %.0f s more.", runs, ofThem, left);
+    }
+  }
+}

@@ -1,0 +1,156 @@
+package org.dfra.app.recruit.embedded;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.dfra.core.robot.Ending;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.CellResult;
+import org.dfra.recruit.experiment.Experiment;
+import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.Seeds;
+import org.dfra.recruit.transport.MessageMode;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** A part of the experiment's cells over real JERI and remote events, in this virtual machine. */
+public final class EmbeddedRuns implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(EmbeddedRuns.class);
+
+  private static final int CALLS = 3;
+  private static final Duration PERIOD = Duration.ofSeconds(150);
+  private static final Duration REST = Duration.ofSeconds(200);
+
+  private final Plan plan;
+  private final int atOnce;
+  private final double speed;
+  private final Map<Cell, LetterTimes> times = new ConcurrentHashMap<>();
+  private final Map<Integer, Queue<EmbeddedTeam>> free = new ConcurrentHashMap<>(); // by size
+
+  /**
+   * @param plan what is the same in every cell
+   * @param atOnce how many runs go on at once
+   * @param speed seconds of the agents' time in a real second
+   */
+  public EmbeddedRuns(Plan plan, int atOnce, double speed) {
+    this.plan = plan;
+    this.atOnce = atOnce;
+    this.speed = speed;
+  }
+
+  /** The experiment's plan with fewer calls, one after the other sooner. */
+  public static Plan shorter(Plan plan) {
+    return plan.with(CALLS, PERIOD, REST);
+  }
+
+  /** The cells: two strategies, with few vehicles and more, without loss and with much. */
+  public static List<Cell> cells() {
+    List<Cell> cells = new ArrayList<>();
+    for (String strategy : List.of("affective", "greedy")) {
+      for (MessageMode mode : MessageMode.values()) {
+        for (int vehicles : List.of(3, 6)) {
+          for (double loss : List.of(0.0, 0.25)) {
+            cells.add(new Cell(strategy, mode, vehicles, loss));
+          }
+        }
+      }
+    }
+    return cells;
+  }
+
+  /**
+   * Runs every cell with every seed, small teams first. As many teams as run at once are started
+   * before the first run that counts, and end when no cell is left for them.
+   *
+   * @return a result for each cell, in their order
+   */
+  public List<CellResult> run(List<Cell> cells, long[] seeds, Experiment.Progress progress)
+      throws InterruptedException {
+    Map<Cell, CellResult> results = new HashMap<>();
+    int all = cells.size() * seeds.length;
+    for (int vehicles : cells.stream().map(Cell::vehicles).distinct().sorted().toList()) {
+      List<Cell> some = cells.stream().filter(each -> each.vehicles() == vehicles).toList();
+      warmUp(some);
+      int before = results.size() * seeds.length;
+      new Experiment(plan, atOnce, (cell, same, seed) -> venue(cell, same, seed, times(cell)))
+          .run(some, seeds, (done, ofThem) -> progress.done(before + done, all))
+          .forEach(each -> results.put(each.cell(), each));
+      end(vehicles);
+    }
+    return cells.stream().map(results::get).toList();
+  }
+
+  /** Runs that judge nothing, all at once: teams start, and the machine compiles. */
+  private void warmUp(List<Cell> cells) throws InterruptedException {
+    LetterTimes forgotten = new LetterTimes();
+    int each = (atOnce + cells.size() - 1) / cells.size();
+    new Experiment(
+            plan.with(1, plan.period(), plan.rest()),
+            each * cells.size(),
+            (cell, same, seed) -> venue(cell, same, seed, forgotten))
+        .run(cells, Seeds.tuning(each), (done, all) -> {});
+  }
+
+  private EmbeddedVenue venue(Cell cell, Plan same, long seed, LetterTimes noted)
+      throws IOException {
+    return new EmbeddedVenue(
+        cell, same, seed, team(cell.vehicles()), used -> free(cell.vehicles()).add(used), noted);
+  }
+
+  private Queue<EmbeddedTeam> free(int vehicles) {
+    return free.computeIfAbsent(vehicles, size -> new ConcurrentLinkedQueue<>());
+  }
+
+  /** One that has rested, or a new one. */
+  private EmbeddedTeam team(int vehicles) throws IOException {
+    EmbeddedTeam rested = free(vehicles).poll();
+    return rested == null ? new EmbeddedTeam(speed) : rested;
+  }
+
+  /**
+   * All at once: each waits for answers of its lookup service. What was measured stands, whatever
+   * becomes of them.
+   */
+  private void end(int vehicles) {
+    Ending ending = new Ending("the experiment");
+    List<Thread> threads = new ArrayList<>();
+    for (EmbeddedTeam each = free(vehicles).poll(); each != null; each = free(vehicles).poll()) {
+      EmbeddedTeam team = each;
+      Thread thread = new Thread(() -> ending.end(team), "dfra-team-end");
+      thread.start();
+      threads.add(thread);
+    }
+    try {
+      for (Thread thread : threads) {
+        thread.join();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // they end all the same
+    }
+    try {
+      ending.orThrow();
+    } catch (IOException e) {
+      LOG.warn("{}", e.getMessage(), e);
+    }
+  }
+
+  /** Ends all agents that still serve. */
+  @Override
+  public void close() {
+    for (int each : free.keySet()) {
+      end(each);
+    }
+  }
+
+  /** For how long letters were on their way in the runs of a cell. */
+  public LetterTimes times(Cell cell) {
+    return times.computeIfAbsent(cell, each -> new LetterTimes());
+  }
+}

@@ -1,0 +1,113 @@
+package org.dfra.app.recruit.embedded;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.UUID;
+import org.dfra.app.demo.stage.Checks;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.Place;
+import org.dfra.core.time.ScaledTime;
+import org.dfra.recruit.river.RecruitmentAgentProxy;
+import org.dfra.recruit.river.RecruitmentAgentServer;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
+import org.dfra.river.bootstrap.ServedModules;
+import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.server.ModuleActivation;
+
+/**
+ * A lookup service and the agents of a team, which are served, join it, and find each other in it
+ * by what they can observe. Proxies do not take the short way to an agent here, but the one that
+ * they take to one elsewhere. One run at a time uses it.
+ */
+final class EmbeddedTeam implements AutoCloseable {
+
+  private static final String HOST = "127.0.0.1";
+  private static final Duration LEASE = Duration.ofSeconds(30); // of a registration, real time
+  private static final Duration PATIENCE = Duration.ofSeconds(60); // real time
+
+  private final ScaledTime time;
+  private final NotedTimers timers;
+  private final ServedModules serving;
+  private final Map<String, FieldAgent> agents = new LinkedHashMap<>();
+
+  /**
+   * Starts the lookup service; nobody has joined yet.
+   *
+   * @param speed seconds of the agents' time in a real second
+   */
+  EmbeddedTeam(double speed) throws IOException {
+    this.time = new ScaledTime(speed, Instant.now());
+    this.timers = new NotedTimers(time);
+    this.serving =
+        new ServedModules(
+            "a team of agents", new EmbeddedRegistrar(HOST, 0, List.of(), LEASE, Map.of()).start());
+  }
+
+  /** Seconds of its agents' time in a real second. */
+  double speed() {
+    return time.speed();
+  }
+
+  /** What agents, leases and robots wait by. */
+  NotedTimers timers() {
+    return timers;
+  }
+
+  /** The agent of that robot; it is served from the first time that it is asked for. */
+  FieldAgent agent(String robot, Set<String> percepts) throws Exception {
+    FieldAgent known = agents.get(robot);
+    if (known != null) {
+      return known;
+    }
+    FieldAgent.Seat seat =
+        new FieldAgent.Seat(percepts, time, timers, fresh -> agents.put(robot, fresh));
+    UUID id = UUID.randomUUID();
+    serving.serve(activation(robot, seat, id));
+    FieldAgent made = Objects.requireNonNull(agents.get(robot), "made when it was served");
+    LocalModules.leave(id, made); // else proxies here would call it as an object
+    return made;
+  }
+
+  private ModuleActivation activation(String robot, FieldAgent.Seat seat, UUID id) {
+    ModuleDescription description =
+        new ModuleDescription(
+            robot,
+            "agent",
+            RecruitmentAgentServer.class.getName(),
+            RecruitmentAgentProxy.class.getName(),
+            FieldAgent.class.getName(),
+            null,
+            false,
+            Parameters.of(robot + "/agent", Map.of(FieldAgent.SEAT, seat.reserve())),
+            Place.CODE);
+    return new ModuleActivation(
+        description, id, HOST, List.of(), List.of(serving.registrar().locator()));
+  }
+
+  /** Returns when each agent has found all. */
+  void await() throws Exception {
+    for (FieldAgent agent : agents.values()) {
+      Checks.await(
+          "that " + agent + " finds the others",
+          PATIENCE,
+          () -> agent.known().equals(agents.keySet()));
+    }
+  }
+
+  /** The run is over; the agents wait for another. */
+  void rest() {
+    agents.values().forEach(FieldAgent::leave);
+  }
+
+  @Override
+  public void close() throws IOException {
+    serving.close();
+  }
+}

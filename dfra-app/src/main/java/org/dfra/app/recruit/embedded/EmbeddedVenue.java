@@ -1,0 +1,129 @@
+package org.dfra.app.recruit.embedded;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.Seeds;
+import org.dfra.recruit.experiment.Venue;
+import org.dfra.recruit.loss.LossModel;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.transport.LossyTransport;
+import org.dfra.recruit.transport.Transport;
+import org.dfra.time.Scheduler;
+
+/**
+ * A run over real JERI: the agents of an {@link EmbeddedTeam} write to each other by remote events
+ * over the loopback. Letters are lost at their sender, by the same lots as in the simulated
+ * network.
+ *
+ * <p>Time runs faster than real time, for agents, leases and robots alike; what River and the
+ * machine need for a letter does not, and so takes longer by that time.
+ */
+final class EmbeddedVenue implements Venue {
+
+  private static final int HEAD = 300; // the lots for it
+  private static final double LONGEST_HEAD = 0.5; // of a period
+
+  private final EmbeddedTeam team;
+  private final Consumer<EmbeddedTeam> giveBack;
+  private final LossModel loss;
+  private final LossyTransport.Count count = new LossyTransport.Count();
+  private final LetterTimes.OfNetwork times;
+  private final Duration head;
+
+  /**
+   * @param team nobody else uses it meanwhile
+   * @param giveBack is given it when the run is over
+   */
+  EmbeddedVenue(
+      Cell cell,
+      Plan plan,
+      long seed,
+      EmbeddedTeam team,
+      Consumer<EmbeddedTeam> giveBack,
+      LetterTimes all) {
+    this.team = team;
+    this.giveBack = giveBack;
+    this.loss = plan.losses().losing(cell.loss(), Seeds.stream(seed, Seeds.LOSSES));
+    this.times = all.ofNetwork();
+    team.timers().tell(all::late);
+    double share = LONGEST_HEAD * Seeds.stream(seed, HEAD).nextDouble();
+    this.head = Duration.ofNanos((long) (share * plan.period().toNanos()));
+  }
+
+  @Override
+  public Scheduler time() {
+    return team.timers();
+  }
+
+  @Override
+  public Agent join(Member member) throws Exception {
+    FieldAgent agent = team.agent(member.name(), member.percepts());
+    agent.join(
+        member,
+        new LossyTransport(new Stamped(agent.transport()), loss, count),
+        letter -> times.came(member.name(), letter));
+    return agent;
+  }
+
+  /** Tells when letters are sent that are not lost. */
+  private final class Stamped implements Transport {
+
+    private final Transport real;
+
+    Stamped(Transport real) {
+      this.real = real;
+    }
+
+    @Override
+    public List<String> capable(String percept) {
+      return real.capable(percept);
+    }
+
+    @Override
+    public List<String> percepts() {
+      return real.percepts();
+    }
+
+    @Override
+    public void send(String robot, Letter letter) {
+      times.sent(robot, letter);
+      real.send(robot, letter);
+    }
+
+    @Override
+    public void broadcast(String percept, Letter letter) {
+      capable(percept).forEach(robot -> send(robot, letter));
+    }
+  }
+
+  @Override
+  public void open() throws Exception {
+    team.await();
+    advance(head); // runs that were begun together do not call together
+  }
+
+  @Override
+  public void advance(Duration span) throws InterruptedException {
+    TimeUnit.NANOSECONDS.sleep((long) (span.toNanos() / team.speed()));
+  }
+
+  @Override
+  public long transmissions() {
+    return count.transmissions();
+  }
+
+  @Override
+  public long receptions() {
+    return count.receptions();
+  }
+
+  @Override
+  public void close() {
+    team.rest();
+    giveBack.accept(team);
+  }
+}

@@ -1,0 +1,207 @@
+package org.dfra.app.recruit.embedded;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import org.dfra.agent.AgentMessage;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.time.ScaledTime;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.Described;
+import org.dfra.persona.RecruitmentAttributes;
+import org.dfra.recruit.RecruitmentSettings;
+import org.dfra.recruit.agent.DirectoryTransport;
+import org.dfra.recruit.agent.Recruiter;
+import org.dfra.recruit.agent.RecruiterPorts;
+import org.dfra.recruit.experiment.Venue;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.transport.Transport;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The driver of an agent in the experiment's field, served and found as any: a robot's own {@link
+ * Recruiter} and its own way to others, on the body that the experiment gives it instead of a
+ * robot's modules. It takes part in one run after the other, and remembers nothing.
+ */
+public final class FieldAgent extends ModuleImpl
+    implements RecruitmentAgent, Described, Venue.Agent {
+
+  /** Name of the parameter that tells which seat it takes. */
+  static final String SEAT = "seat";
+
+  /** What its persona says, metres per second; nobody asks. */
+  private static final double SPEED = 1;
+
+  /**
+   * What a server, which makes it by its class's name, cannot hand it.
+   *
+   * @param percepts that its persona shows
+   * @param time that it lives by
+   * @param timers what it and its leases wait by
+   * @param made is given the agent
+   */
+  record Seat(Set<String> percepts, ScaledTime time, Scheduler timers, Consumer<FieldAgent> made) {
+
+    private static final Map<String, Seat> FREE = new ConcurrentHashMap<>();
+
+    /** Reserves it; returns what the parameter must say. */
+    String reserve() {
+      String key = UUID.randomUUID().toString();
+      FREE.put(key, this);
+      return key;
+    }
+
+    private static Seat taken(ModuleContext context) {
+      String key = context.parameters().text(SEAT);
+      return Objects.requireNonNull(FREE.remove(key), "nobody reserved seat " + key);
+    }
+  }
+
+  /** Its part in a run. */
+  private record Part(Recruiter recruiter, Consumer<Letter> come) {}
+
+  private final Seat seat;
+  private final ModuleContext timed;
+  private final DirectoryTransport transport;
+  private volatile @Nullable Part part;
+
+  /** As every driver is made. */
+  public FieldAgent(ModuleContext context) {
+    this(context, Seat.taken(context));
+  }
+
+  @SuppressWarnings("this-escape") // whoever is given it uses it when it is served
+  private FieldAgent(ModuleContext context, Seat seat) {
+    super(by(seat, context), "an agent in the experiment's field", "DFRA", "1");
+    this.seat = seat;
+    this.timed = by(seat, context);
+    this.transport = new DirectoryTransport(timed, log);
+    seat.made().accept(this);
+  }
+
+  /** The same module in another time: also its leases go by it. */
+  private static ModuleContext by(Seat seat, ModuleContext context) {
+    return new ModuleContext(
+        context.robot(),
+        context.name(),
+        context.parameters(),
+        seat.time(),
+        context.state(),
+        LeaseTerms.USUAL,
+        seat.timers(),
+        context::directory);
+  }
+
+  @Override
+  protected void onStart() {
+    become(Readiness.READY);
+    Set<String> unused = known(); // begins to look for them
+  }
+
+  @Override
+  protected void onClose() {
+    leave();
+    transport.close();
+  }
+
+  /** Robots whose agents it knows, itself among them. */
+  Set<String> known() {
+    return timed.directory().find(ModuleQuery.of(RecruitmentAgent.class)).stream()
+        .map(ModuleListing::robot)
+        .collect(Collectors.toSet());
+  }
+
+  /** Its way to the others. */
+  Transport transport() {
+    return transport;
+  }
+
+  /**
+   * Takes part in a run, as a fresh agent.
+   *
+   * @param way to the others
+   * @param come is told of each letter that has come
+   */
+  void join(Venue.Member member, Transport way, Consumer<Letter> come) {
+    Recruiter fresh =
+        new Recruiter(
+            timed.robot(),
+            member.settings(),
+            member.strategy(),
+            member.mode(),
+            new RecruiterPorts(way, member.body(), leases(), seat.time(), seat.timers()),
+            member.listener(),
+            Optional.empty());
+    part = new Part(fresh, come);
+    fresh.start();
+  }
+
+  /** The run is over. */
+  void leave() {
+    Part over = part;
+    part = null;
+    if (over != null) {
+      over.recruiter().close();
+    }
+  }
+
+  private Part part() {
+    Part now = part;
+    if (now == null) {
+      throw new NotReadyException(path(), readiness(), "it takes part in no run");
+    }
+    return now;
+  }
+
+  @Override
+  public void help(HelpCall call) {
+    LetterTimes.turn(() -> part().recruiter().help(call));
+  }
+
+  @Override
+  public void release() {
+    part().recruiter().release();
+  }
+
+  @Override
+  public RecruitmentStatus status() {
+    return part().recruiter().status();
+  }
+
+  @Override
+  public void receive(AgentMessage message) {
+    if (!(message instanceof Letter letter)) {
+      throw new IllegalArgumentException(path() + " takes letters of recruitment only");
+    }
+    Part now = part();
+    now.come().accept(letter);
+    LetterTimes.turn(() -> now.recruiter().receive(letter));
+  }
+
+  @Override
+  public List<Attributes> attributes() {
+    return List.of(
+        new RecruitmentAttributes(
+            List.copyOf(seat.percepts()),
+            SPEED,
+            "as the run has it",
+            RecruitmentSettings.USUAL.replaceAfter().toMillis() / 1e3,
+            RecruitmentSettings.USUAL.margin().toMillis() / 1e3));
+  }
+}

@@ -1,0 +1,225 @@
+package org.dfra.app.sim;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Table;
+import org.dfra.core.time.RobotTime;
+import org.dfra.core.time.ScaledTime;
+import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.Simulation;
+import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.run.TruthLog;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.file.WorldXml;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra sim run}. */
+@Command(
+    name = "run",
+    description =
+        "Runs a world until Ctrl-C: every device answers at a TCP port, in its own bytes.",
+    footer = {
+      "",
+      "Start the robots' software in another terminal with ./dfra up. A simulation that runs",
+      "faster tells which DFRA_TIME to set there, so that drivers live by the same time.",
+      "With --json, one JSON object a line: first the lines, then a state every second."
+    })
+final class RunCommand implements Callable<Integer> {
+
+  private static final Duration STATE_EVERY = Duration.ofSeconds(1);
+
+  @Parameters(paramLabel = "WORLD", description = "File that describes the world, in XML.")
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Path file;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      description = "Seconds of simulated time in a second, 0.01 to 1000 (default 1).")
+  private double speed = 1;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "What chance goes by, instead of the world's own seed.")
+  private @Nullable Long seed;
+
+  @Option(names = "--any-ports", description = "Takes free ports instead of those written.")
+  private boolean anyPorts;
+
+  @Option(
+      names = "--for",
+      paramLabel = "SECONDS",
+      description = "Ends after so many simulated seconds; else with Ctrl-C.")
+  private @Nullable Double seconds;
+
+  @Option(
+      names = "--truth",
+      paramLabel = "FILE",
+      description = "Writes where every robot truly is, as CSV.")
+  private @Nullable Path truth;
+
+  @Option(
+      names = "--truth-rate",
+      paramLabel = "HZ",
+      description = "Lines per robot and simulated second of that (default ${DEFAULT-VALUE}).")
+  private double truthRate = 20;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Answer answer;
+
+  private final CountDownLatch ended = new CountDownLatch(1);
+
+  @Override
+  public Integer call() throws Exception {
+    checkOptions();
+    WorldDescription read = WorldXml.read(file);
+    WorldDescription world = seed == null ? read : read.seeded(seed);
+    InstantSource clock = clock();
+    try (Simulation simulation =
+        Simulation.overTcp(world, clock, anyPorts ? Ports.ANY : Ports.AS_WRITTEN)) {
+      simulation.start();
+      Runtime.getRuntime().addShutdownHook(new Thread(ended::countDown, "simulation end"));
+      begin(simulation, clock);
+      run(simulation, clock);
+    }
+    return ExitCode.WELL;
+  }
+
+  private void checkOptions() {
+    if (!(speed >= ScaledTime.SLOWEST && speed <= ScaledTime.FASTEST)) {
+      throw new CommandFailure(
+          ExitCode.WRONG_USE,
+          "--speed "
+              + speed
+              + " is outside "
+              + ScaledTime.SLOWEST
+              + " to "
+              + (int) ScaledTime.FASTEST);
+    }
+    if (!(truthRate > 0 && truthRate <= 100)) {
+      throw new CommandFailure(
+          ExitCode.WRONG_USE, "--truth-rate " + truthRate + " Hz is outside above 0 to 100");
+    }
+    @Nullable Path folder = truth == null ? null : truth.toAbsolutePath().getParent();
+    if (folder != null && !Files.isDirectory(folder)) {
+      throw new CommandFailure(
+          ExitCode.FAILED,
+          "--truth " + truth + ": there is no folder " + folder + "; make it first");
+    }
+    if (seconds != null && !(seconds > 0)) {
+      throw new CommandFailure(ExitCode.WRONG_USE, "--for " + seconds + " s is not above 0");
+    }
+  }
+
+  /** Real time, the time that this process was told of, or that of its own speed. */
+  private InstantSource clock() {
+    return speed == 1
+        ? RobotTime.clock()
+        : new ScaledTime(speed, Instant.now().truncatedTo(ChronoUnit.MILLIS));
+  }
+
+  private void begin(Simulation simulation, InstantSource clock) {
+    Beginning beginning = Beginning.of(simulation, clock);
+    if (answer.isJson()) {
+      answer.line(beginning, "");
+      return;
+    }
+    Table table = new Table("ROBOT", "DEVICE", "PROTOCOL", "LINK", "SERVES");
+    for (SimulatedLine each : beginning.lines()) {
+      table.row(
+          each.robot(),
+          each.device(),
+          each.protocol(),
+          each.link(),
+          String.join(", ", each.serves()));
+    }
+    answer.table(beginning.lines(), table, "the world has no device with a line of its own");
+    answer.remark(
+        "the world "
+            + beginning.world()
+            + " runs with seed "
+            + beginning.seed()
+            + (speed == 1
+                ? "; end it with Ctrl-C"
+                : ", "
+                    + speed
+                    + " times as fast; start the robots with "
+                    + RobotTime.VARIABLE
+                    + "='"
+                    + beginning.time()
+                    + "' ./dfra up ..., and end this with Ctrl-C"));
+  }
+
+  private void run(Simulation simulation, InstantSource clock) throws Exception {
+    Instant begin = clock.instant();
+    @Nullable Instant end = seconds == null ? null : begin.plusNanos((long) (seconds * 1e9));
+    Duration period = Duration.ofNanos((long) (1e9 / truthRate));
+    Instant nextTruth = begin;
+    Instant nextState = begin.plus(scaled(STATE_EVERY));
+    int known = 0; // collisions
+    try (TruthLog log = truth == null ? null : new TruthLog(simulation.world(), truth)) {
+      while (end == null || clock.instant().isBefore(end)) {
+        Instant now = clock.instant();
+        simulation.world().advanceTo(now);
+        for (; log != null && !nextTruth.isAfter(now); nextTruth = nextTruth.plus(period)) {
+          log.write(nextTruth);
+        }
+        if (!now.isBefore(nextState)) {
+          State state = State.of(simulation.world(), begin, now, known);
+          known = state.collisions();
+          answerState(state);
+          nextState = now.plus(scaled(STATE_EVERY));
+        }
+        Duration pause = log == null ? STATE_EVERY : period;
+        if (ended.await((long) (pause.toNanos() / speed), TimeUnit.NANOSECONDS)) {
+          break;
+        }
+      }
+      last(State.of(simulation.world(), begin, clock.instant(), known));
+    } catch (IOException e) {
+      throw new IOException(truth + " cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  private Duration scaled(Duration real) {
+    return Duration.ofNanos((long) (real.toNanos() * speed));
+  }
+
+  /** On a terminal in the last line, again and again; elsewhere people are not told. */
+  private void answerState(State state) {
+    if (answer.isJson()) {
+      answer.line(state, "");
+    } else if (System.console() != null) {
+      System.err.print("\r\u001b[K" + state.inWords());
+      System.err.flush();
+    }
+  }
+
+  private void last(State state) {
+    if (answer.isJson()) {
+      answer.line(state, "");
+    } else {
+      if (System.console() != null) {
+        System.err.println();
+      }
+      answer.remark(state.inWords());
+    }
+  }
+}

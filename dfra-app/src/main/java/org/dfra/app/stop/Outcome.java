@@ -1,0 +1,116 @@
+package org.dfra.app.stop;
+
+import java.time.Instant;
+import java.util.Locale;
+import org.dfra.flow.effector.StopState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What has become of one effector that was to be stopped or released.
+ *
+ * @param module the effector's path, {@code robot/name}
+ * @param result what has become of it
+ * @param by who stopped or released it last, for people; null where that is not known
+ * @param since when that was, by the effector's clock, UTC; null likewise
+ * @param reason what is wrong, a clause; null where nothing is
+ */
+record Outcome(
+    String module,
+    Result result,
+    @Nullable String by,
+    @Nullable Instant since,
+    @Nullable String reason) {
+
+  /** What can become of it. */
+  enum Result {
+    /** It is stopped by this call. */
+    STOPPED("stopped"),
+    /** It was stopped before, and has been told to come to rest once more. */
+    STOPPED_ALREADY("was stopped already"),
+    /** It obeys nobody, but its driver could not be told to come to rest yet. */
+    NOT_AT_REST("NOT AT REST"),
+    /** It was not reached, or not stopped. */
+    NOT_STOPPED("NOT STOPPED"),
+    /** It may be commanded again. */
+    RELEASED("released"),
+    /** There was nothing to release. */
+    WAS_NOT_STOPPED("was not stopped"),
+    /** It was not reached, or not released. */
+    NOT_RELEASED("NOT RELEASED");
+
+    private final String words;
+
+    Result(String words) {
+      this.words = words;
+    }
+
+    String words() {
+      return words;
+    }
+
+    boolean isWell() {
+      return this == STOPPED
+          || this == STOPPED_ALREADY
+          || this == RELEASED
+          || this == WAS_NOT_STOPPED;
+    }
+  }
+
+  /**
+   * Of an effector that was called to stop.
+   *
+   * @param before how it was before, as far as that was known
+   * @param now what it answered
+   */
+  static Outcome ofStop(String module, @Nullable Instant before, StopState now) {
+    if (!now.latched()) {
+      return new Outcome(
+          module,
+          Result.NOT_STOPPED,
+          now.by(),
+          now.since(),
+          "it was released at the same time by " + now.by());
+    }
+    Result result =
+        !now.resting()
+            ? Result.NOT_AT_REST
+            : now.since() != null && now.since().equals(before)
+                ? Result.STOPPED_ALREADY
+                : Result.STOPPED;
+    return new Outcome(module, result, now.by(), now.since(), now.fault());
+  }
+
+  /**
+   * Of an effector that was called to release its stop.
+   *
+   * @param by who asked
+   * @param now what it answered
+   */
+  static Outcome ofRelease(String module, String by, StopState now) {
+    if (now.latched()) {
+      return new Outcome(
+          module,
+          Result.NOT_RELEASED,
+          now.by(),
+          now.since(),
+          "it was stopped at the same time by " + now.by());
+    }
+    Result result = by.equals(now.by()) ? Result.RELEASED : Result.WAS_NOT_STOPPED;
+    return new Outcome(module, result, now.by(), now.since(), now.fault());
+  }
+
+  /** The same for people, one line. */
+  String inWords() {
+    return module
+        + ": "
+        + result.words()
+        + (result == Result.STOPPED_ALREADY ? ", since " + since + ", by " + by : "")
+        + (reason == null ? "" : ": " + reason)
+        + ".";
+  }
+
+  /** Its result for programs, {@code stopped_already} say. */
+  String id() {
+    return result.name().toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,264 @@
+package org.dfra.app.stop;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.dfra.app.stop.Outcome.Result;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Watch;
+import org.dfra.flow.effector.Effector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.module.Module;
+import org.dfra.persona.StopAttributes;
+import org.dfra.river.bootstrap.HostAddress;
+import org.dfra.river.bootstrap.KeptStops;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra stop}. */
+@Command(
+    name = "stop",
+    description = "Emergency: stops all effectors at once. They obey nobody until released.",
+    footer = {
+      "",
+      "It asks for no lease and is never refused; whoever commands loses the command.",
+      "Each effector that is found is called at once, and once more where it does not",
+      "answer. The stop outlives every process. Releasing it moves nothing: who wants",
+      "to command asks anew. Ends with 0 only if every effector that is known was",
+      "stopped, with 3 if none is known, with 4 if one did not answer.",
+      "It is no replacement for the robot's own emergency stop."
+    })
+public final class StopCommand implements Callable<Integer> {
+
+  @Parameters(paramLabel = "ROBOT", arity = "0..*", description = "Robots, by name.")
+  private List<String> robots = List.of();
+
+  @Option(names = "--all", description = "Every robot that can be reached.")
+  private boolean all;
+
+  @Option(names = "--release", description = "End the emergency stop instead.")
+  private boolean release;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  private final Set<Outcome> said = new HashSet<>(); // guarded by itself
+  private final Instant begun = Instant.now();
+  private String by = "";
+
+  /** An effector as programs are told of it. */
+  record Told(
+      String module,
+      String result,
+      @Nullable String by,
+      @Nullable Instant since,
+      @Nullable String reason) {}
+
+  /**
+   * All that programs are told.
+   *
+   * @param well whether every effector that is known was stopped, or released
+   * @param effectors what has become of each
+   * @param silent named lookup services that did not answer, and robots without effectors
+   */
+  record Report(boolean well, List<Told> effectors, List<String> silent) {}
+
+  @Override
+  public Integer call() throws Exception {
+    if (all != robots.isEmpty()) {
+      throw new ParameterException(
+          spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
+    }
+    by =
+        System.getProperty("user.name", "somebody")
+            + " at "
+            + HostAddress.resolve(options.wantedHost());
+    try (StopRound round =
+        new StopRound(
+            release ? Result.NOT_RELEASED : Result.NOT_STOPPED, StopRound.TRY, this::say)) {
+      callLocal(round);
+      List<String> silent = new ArrayList<>();
+      try {
+        silent.addAll(callListed(round));
+      } catch (IOException e) { // this host's effectors are called all the same
+        silent.add("no lookup service can be looked for: " + e.getMessage());
+      }
+      List<Outcome> outcomes =
+          round.outcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
+      silent.addAll(robotsWithout(outcomes));
+      return report(outcomes, silent);
+    }
+  }
+
+  private boolean isWanted(String robot) {
+    return all || robots.contains(robot);
+  }
+
+  private Outcome call(String path, Effector<?> effector, @Nullable Instant before)
+      throws RemoteException {
+    return release
+        ? Outcome.ofRelease(path, by, effector.releaseStop(by))
+        : Outcome.ofStop(path, before, effector.emergencyStop(by));
+  }
+
+  /** Since when it was stopped before this began; null where it was not. */
+  private @Nullable Instant before(boolean latched, @Nullable Instant since) {
+    return latched && since != null && since.isBefore(begun) ? since : null;
+  }
+
+  private void callLocal(StopRound round) {
+    List<RobotDescription> known;
+    try {
+      known = options.knownRobots().stream().filter(each -> isWanted(each.name())).toList();
+    } catch (IOException | ConfigurationException e) { // the lookup services may know them
+      options.answer().remark("the robots of this host are not known: " + e.getMessage());
+      return;
+    }
+    Path state = options.state();
+    try {
+      LocalEffectors effectors = new LocalEffectors(options.phoenix(), known);
+      for (ModuleDescription each : effectors.all()) {
+        StopState kept = KeptStops.of(state, each.robot(), each.name());
+        @Nullable Instant before = before(kept.latched(), kept.since());
+        round.callLocal(each.path(), () -> call(each.path(), effectors.reach(each), before));
+      }
+    } catch (IOException e) {
+      options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+    }
+  }
+
+  /** Calls each as soon as it is found; returns the named lookup services that do not answer. */
+  private List<String> callListed(StopRound round) throws IOException, InterruptedException {
+    try (JiniModuleDirectory directory = options.directory();
+        Watch unused =
+            directory.listen(
+                ModuleQuery.of(Module.class),
+                new DirectoryListener<Module>() {
+                  @Override
+                  public void matched(ModuleListing<Module> listing) {
+                    callListed(round, listing);
+                  }
+                })) {
+      List<String> silent = directory.awaitFirstLook(options.patience());
+      directory
+          .find(ModuleQuery.of(Module.class))
+          .forEach(listing -> callListed(round, listing)); // whom the listener has yet to hear of
+      List<String> named = options.namedLocators();
+      round.outcomes(); // the directory is needed as long as its proxies are called
+      return silent.stream()
+          .filter(each -> named.contains(each.replaceAll("/$", "")))
+          .map(each -> "no lookup service answers at " + each + "; what it knows of was not called")
+          .toList();
+    }
+  }
+
+  private void callListed(StopRound round, ModuleListing<Module> listing) {
+    if (listing.module() instanceof Effector<?> effector && isWanted(listing.robot())) {
+      @Nullable Instant before =
+          listing
+              .attributes(StopAttributes.class)
+              .map(each -> before(each.latched(), each.since()))
+              .orElse(null);
+      round.callListed(listing.id(), listing.path(), () -> call(listing.path(), effector, before));
+    }
+  }
+
+  private List<String> robotsWithout(List<Outcome> outcomes) {
+    return robots.stream()
+        .filter(robot -> outcomes.stream().noneMatch(each -> each.module().startsWith(robot + "/")))
+        .map(robot -> "no effector of robot " + robot + " was found; ./dfra module list shows all")
+        .toList();
+  }
+
+  /** Once, as soon as it is known. */
+  private void say(Outcome outcome) {
+    Answer answer = options.answer();
+    synchronized (said) {
+      if (!answer.isJson() && said.add(outcome)) {
+        answer.line(outcome, outcome.inWords());
+      }
+    }
+  }
+
+  private int report(List<Outcome> outcomes, List<String> silent) {
+    Answer answer = options.answer();
+    boolean isEveryOne = outcomes.stream().allMatch(each -> each.result().isWell());
+    boolean well = isEveryOne && silent.isEmpty() && !outcomes.isEmpty();
+    if (answer.isJson()) {
+      answer.outline(new Report(well, outcomes.stream().map(StopCommand::told).toList(), silent));
+    } else {
+      outcomes.forEach(this::say);
+      String summary = summary(outcomes, isEveryOne);
+      answer.line(summary, summary);
+      silent.forEach(answer::remark);
+    }
+    if (well) {
+      return ExitCode.WELL;
+    } else if (outcomes.isEmpty()) {
+      return ExitCode.NOT_FOUND;
+    }
+    boolean isOnlyHeldUp =
+        silent.isEmpty()
+            && outcomes.stream()
+                .allMatch(each -> each.result().isWell() || each.result() == Result.NOT_AT_REST);
+    return isOnlyHeldUp ? ExitCode.FAILED : ExitCode.NO_ANSWER;
+  }
+
+  private String summary(List<Outcome> outcomes, boolean isEveryOne) {
+    if (outcomes.isEmpty()) {
+      return "NOTHING WAS "
+          + (release ? "RELEASED" : "STOPPED")
+          + ": no effector was found; bring a robot up, name a registrar with --locator, or ask"
+          + " ./dfra doctor.";
+    }
+    String counts =
+        outcomes.stream()
+            .collect(Collectors.groupingBy(Outcome::result, TreeMap::new, Collectors.counting()))
+            .entrySet()
+            .stream()
+            .map(each -> each.getValue() + " " + each.getKey().words())
+            .collect(Collectors.joining(", "));
+    return String.format(
+        Locale.ROOT,
+        "%d effector%s: %s.%s",
+        outcomes.size(),
+        outcomes.size() == 1 ? "" : "s",
+        counts,
+        isEveryOne || release ? "" : " Use the robot's own emergency stop.");
+  }
+
+  private static Told told(Outcome outcome) {
+    return new Told(
+        outcome.module(), outcome.id(), outcome.by(), outcome.since(), outcome.reason());
+  }
+}

@@ -1,0 +1,23 @@
+package org.dfra.app.task;
+
+import java.util.concurrent.Callable;
+import org.dfra.behavior.Behavior;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code ./dfra task pause}. */
+@Command(
+    name = "pause",
+    description = "Has robots stand until they are told to go on.",
+    footer = {"", "Who is at nothing is left alone."})
+final class PauseCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Searches searches;
+
+  @Override
+  public Integer call() throws Exception {
+    return new Order(searches).give(Behavior::pause);
+  }
+}

@@ -1,0 +1,23 @@
+package org.dfra.app.task;
+
+import java.util.concurrent.Callable;
+import org.dfra.behavior.Behavior;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code ./dfra task resume}. */
+@Command(
+    name = "resume",
+    description = "Has robots go on with what they paused.",
+    footer = {"", "Who has not paused is left alone."})
+final class ResumeCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Searches searches;
+
+  @Override
+  public Integer call() throws Exception {
+    return new Order(searches).give(Behavior::resume);
+  }
+}

@@ -1,0 +1,142 @@
+package org.dfra.app.task;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dfra.app.raster.GivenRegion;
+import org.dfra.app.raster.Lanes;
+import org.dfra.app.team.Team;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.behaviors.raster.RasterPlan;
+import org.dfra.behaviors.raster.Region;
+import org.dfra.directory.ModuleListing;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra task submit}. */
+@Command(
+    name = "submit",
+    description = "Has robots begin a task: they move.",
+    footer = {
+      "",
+      "raster: search a region lane by lane. The second robot drives the lanes the other way",
+      "round, and so on. A robot that is at another task refuses; cancel that first.",
+      "Where one refuses, none begins."
+    })
+final class SubmitCommand implements Callable<Integer> {
+
+  /** What there is to do. */
+  enum Task {
+    RASTER
+  }
+
+  @Parameters(index = "0", paramLabel = "TASK", description = "What they are to do: raster.")
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Task task;
+
+  @Option(
+      names = "--region",
+      paramLabel = "REGION",
+      required = true,
+      description =
+          "The region to search: a GeoJSON file, or corners as in " + GivenRegion.EXAMPLE + ".")
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private String text;
+
+  @Option(
+      names = "--swath",
+      paramLabel = "M",
+      description = "How wide a strip a robot sees, metres (default " + Lanes.SWATH + ").")
+  private @Nullable Double swath;
+
+  @Option(
+      names = "--spacing",
+      paramLabel = "M",
+      description =
+          "From lane to lane, metres, at most the swath (default: " + Lanes.RESERVE + " of it).")
+  private @Nullable Double spacing;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private Searches searches;
+
+  @Override
+  public Integer call() throws Exception {
+    Lanes lanes = Lanes.of(swath, spacing);
+    GivenRegion given = GivenRegion.parse(text);
+    given.requireWider(lanes.spacing());
+    try {
+      RasterPlan unusedPlan = RasterPlan.of(goal(given.region(), lanes, 0));
+    } catch (GoalRefusedException e) {
+      throw given.placed(e);
+    }
+    try (Team team = searches.open()) {
+      List<ModuleListing<RasterSearch>> robots = searches.in(team);
+      requireFree(robots);
+      begin(robots, given.region(), lanes);
+      List<TaskView> begun = new ArrayList<>();
+      for (ModuleListing<RasterSearch> each : robots) {
+        begun.add(TaskView.of(each));
+      }
+      TaskView.show(searches.answer(), begun);
+      searches.answer().remark("how far they are: ./dfra task status");
+    }
+    return ExitCode.WELL;
+  }
+
+  /** Whoever is at something else would refuse; better to know before another has begun. */
+  private static void requireFree(List<ModuleListing<RasterSearch>> robots) throws RemoteException {
+    for (ModuleListing<RasterSearch> each : robots) {
+      BehaviorStatus status = each.module().status();
+      if (status.phase().isUnderWay()) {
+        throw GoalRefusedException.busy(
+            each.path()
+                + " is at another goal ("
+                + status.doing()
+                + "); cancel that first, or wait for its end: ./dfra task cancel");
+      }
+    }
+  }
+
+  /** Has all of them begin, or none. */
+  private void begin(List<ModuleListing<RasterSearch>> robots, Region region, Lanes lanes)
+      throws RemoteException {
+    int asked = 0;
+    try {
+      while (asked < robots.size()) {
+        var unusedGoal = robots.get(asked).module().pursue(goal(region, lanes, asked));
+        asked++;
+      }
+    } catch (RemoteException | RuntimeException e) {
+      // Who did not answer may have begun. Who is at another goal by now is not to lose that.
+      int last = e instanceof RemoteException ? asked : asked - 1;
+      for (int i = 0; i <= last; i++) {
+        giveUp(robots.get(i));
+      }
+      throw e;
+    }
+  }
+
+  private void giveUp(ModuleListing<RasterSearch> robot) {
+    try {
+      robot.module().cancel();
+      searches.answer().remark(robot.path() + " had begun and was told to give it up");
+    } catch (RemoteException | RuntimeException e) {
+      searches
+          .answer()
+          .remark(robot.path() + " may have begun, and cannot be told to stop: " + e.getMessage());
+    }
+  }
+
+  private static RasterGoal goal(Region region, Lanes lanes, int robot) {
+    return new RasterGoal(region.corners(), lanes.swath(), lanes.spacing(), robot % 2 == 1);
+  }
+}

@@ -1,0 +1,56 @@
+package org.dfra.app.task;
+
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.Table;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.directory.ModuleListing;
+
+/**
+ * How far a robot is.
+ *
+ * @param robot its name
+ * @param module what pursues the task, {@code robot/module}
+ * @param phase what it is at
+ * @param done share of it that is reached, 0 to 1
+ * @param doing what it does or why it does not, as a clause
+ * @param since when it said so, by the robot's clock
+ */
+record TaskView(
+    String robot,
+    String module,
+    BehaviorStatus.Phase phase,
+    double done,
+    String doing,
+    Instant since) {
+
+  /** Asks the robot. */
+  static TaskView of(ModuleListing<RasterSearch> listing) throws RemoteException {
+    BehaviorStatus status = listing.module().status();
+    String path = listing.path();
+    return new TaskView(
+        path.substring(0, path.indexOf('/')),
+        path,
+        status.phase(),
+        status.done(),
+        status.doing(),
+        status.measured());
+  }
+
+  /** Answers with these. */
+  static void show(Answer answer, List<TaskView> tasks) {
+    Table table = new Table("ROBOT", "TASK", "DONE", "IT");
+    for (TaskView each : tasks) {
+      table.row(
+          each.robot(),
+          each.phase().name().toLowerCase(Locale.ROOT),
+          String.format(Locale.ROOT, "%.0f %%", 100 * each.done()),
+          each.doing());
+    }
+    answer.table(tasks, table, "no robot has a task");
+  }
+}

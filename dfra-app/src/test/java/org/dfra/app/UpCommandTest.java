@@ -1,0 +1,228 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.RobotXml;
+import org.dfra.core.robot.Rehearsal;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
+
+/** What {@code ./dfra up} refuses: before anything starts, in one sentence for each fault. */
+class UpCommandTest {
+
+  private static final Path CONFIG = Path.of(System.getProperty("dfra.root"), "config");
+
+  @TempDir Path folder;
+
+  /** A robot of one module, described from line 4 on. */
+  private Path robot(String module) throws IOException {
+    return Files.writeString(
+        folder.resolve("robot.xml"),
+        """
+        <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
+          <group name="lookup"><registrar port="4999"/></group>
+          <group name="all">
+        %s
+          </group>
+        </robot>
+        """
+            .formatted(module));
+  }
+
+  /** A module of the properties that come with DFRA, its parameter in line 5. */
+  private static String module(String name, String properties, String parameter, String value) {
+    return """
+        <module name="%s" properties="%s">
+        <parameter name="%s" value="%s"/>
+        </module>"""
+        .formatted(
+            name, CONFIG.resolve("modules").resolve(properties + ".properties"), parameter, value);
+  }
+
+  /** What it says on standard error, line by line; nothing is begun. */
+  private List<String> refused(String module) throws IOException {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    CommandLine line = Main.commandLine();
+    line.setOut(new PrintWriter(out, true));
+    line.setErr(new PrintWriter(err, true));
+    Path state = folder.resolve("state");
+    int exit = line.execute("up", robot(module).toString(), "--state=" + state);
+    assertThat(exit).as(err.toString()).isEqualTo(ExitCode.FAILED);
+    assertThat(out.toString()).isEmpty();
+    assertThat(state).as("what phoenix keeps").doesNotExist();
+    return err.toString().lines().toList();
+  }
+
+  private String at(int line) {
+    return "dfra: " + folder.resolve("robot.xml") + ":" + line + ": ";
+  }
+
+  @Test
+  void refusesClassesThatAreNotThere() throws IOException {
+    String named =
+        "<module name=\"range_filter\" server=\"org.dfra.river.server.%s\""
+            + " proxy=\"org.dfra.river.proxy.%s\" driver=\"org.dfra.behaviors.%s\"/>";
+    String driver = "perceptual.range.RangeFilterImpl";
+    String missing = " is not on the group's class path; add its jar or mend the name";
+    assertThat(
+            refused(
+                named.formatted(
+                    "schema.RangeFilterServer", "schema.RangeFilterProxy", "SonarFilterImpl")))
+        .containsExactly(
+            at(4)
+                + "module eta/range_filter: driver class org.dfra.behaviors.SonarFilterImpl"
+                + missing);
+    assertThat(refused(named.formatted("SonarServer", "schema.RangeFilterProxy", driver)))
+        .containsExactly(
+            at(4)
+                + "module eta/range_filter: server class org.dfra.river.server.SonarServer"
+                + missing);
+    assertThat(refused(named.formatted("schema.RangeFilterServer", "SonarProxy", driver)))
+        .containsExactly(
+            at(4)
+                + "module eta/range_filter: proxy class org.dfra.river.proxy.SonarProxy"
+                + missing);
+  }
+
+  @Test
+  void refusesParametersThatADriverDoesNotKnow() throws IOException {
+    assertThat(
+            refused(
+                """
+                <module name="gps" properties="%s">
+                <parameter name="link" value="tcp://127.0.0.1:1"/>
+                <parameter name="reopen_frist" value="1"/>
+                </module>"""
+                    .formatted(CONFIG.resolve("modules/m12plus.properties"))))
+        .containsExactly(
+            at(6) + "eta/gps has no parameter \"reopen_frist\"; did you mean \"reopen_first\"?");
+    assertThat(refused(module("range_filter", "range-filter", "scan", "7")))
+        .containsExactly(
+            at(5) + "eta/range_filter has no parameter \"scan\"; did you mean \"scans\"?");
+    assertThat(refused(module("fuzzy_drive", "fuzzy-drive", "colour", "red")))
+        .containsExactly(
+            at(5)
+                + "eta/fuzzy_drive has no parameter \"colour\"; it has max_speed, max_turn_rate,"
+                + " system_file");
+    assertThat(refused(module("raster_search", "raster-search", "go_on", "perhaps")))
+        .singleElement()
+        .asString()
+        .startsWith(at(5) + "eta/raster_search: parameter go_on is \"perhaps\"");
+    assertThat(refused(module("range_filter", "range-filter", "reach", "far")))
+        .singleElement()
+        .asString()
+        .startsWith(at(5) + "eta/range_filter: parameter reach is \"far\"");
+  }
+
+  @Test
+  void refusesFilesThatAreNotThere() throws IOException {
+    assertThat(refused("<module name=\"range_filter\" properties=\"sonar.properties\"/>"))
+        .containsExactly(
+            at(4)
+                + "the properties file \"sonar.properties\" of module range_filter does not exist;"
+                + " name one, relative to "
+                + folder.resolve("robot.xml"));
+    assertThat(refused(module("fuzzy_drive", "fuzzy-drive", "system_file", "nowhere.fis")))
+        .containsExactly(
+            at(5)
+                + "the system_file file \"nowhere.fis\" of module fuzzy_drive does not exist; name"
+                + " one, relative to "
+                + folder.resolve("robot.xml"));
+  }
+
+  @Test
+  void refusesAFuzzySystemThatLacksInputs() throws IOException {
+    String whole = Files.readString(CONFIG.resolve("fuzzy/waypoint.fis"));
+    Path fis =
+        Files.writeString(folder.resolve("drive.fis"), whole.replace("'centre'", "'middle'"));
+    assertThat(refused(module("fuzzy_drive", "fuzzy-drive", "system_file", "drive.fis")))
+        .singleElement()
+        .asString()
+        .startsWith("dfra: " + fis)
+        .contains("a waypoint controller has the inputs left, centre, right, heading_error")
+        .contains("add centre", "middle");
+  }
+
+  @Test
+  void tellsAllThatIsWrongWithARobot() throws IOException {
+    assertThat(
+            refused(
+                module("range_filter", "range-filter", "scan", "7")
+                    + module("heading_error", "heading-error", "lookahead", "0")))
+        .hasSize(2);
+  }
+
+  static Stream<Path> properties() throws IOException {
+    try (Stream<Path> all = Files.list(CONFIG.resolve("modules"))) {
+      return all.sorted().toList().stream();
+    }
+  }
+
+  /** Those that are set, and those that a comment shows how to set. */
+  @ParameterizedTest
+  @MethodSource("properties")
+  void refusesNoParameterThatAFileOfPropertiesNames(Path file) throws IOException {
+    String text = Files.readString(file);
+    Path whole =
+        Files.writeString(
+            folder.resolve("whole.properties"),
+            text.replace("\n#parameter.", "\nparameter.").replace("=../", "=" + CONFIG + "/"));
+    String ofXml =
+        Pattern.compile("<parameter name=.*?/>")
+            .matcher(text)
+            .results()
+            .map(MatchResult::group)
+            .collect(Collectors.joining());
+    Path robot = robot("<module name=\"m\" properties=\"%s\">%s</module>".formatted(whole, ofXml));
+    assertThat(faults(robot)).allMatch(fault -> fault.contains("is not the name of a"), "alone");
+  }
+
+  private static List<String> faults(Path robot) {
+    try {
+      Rehearsal.of(RobotXml.read(robot, name -> "secret"));
+      return List.of();
+    } catch (ConfigurationException e) {
+      return e.getMessage().lines().toList();
+    }
+  }
+
+  @Test
+  void refusesNoneOfTheRobotsThatComeWithDfra() throws IOException {
+    List<Path> robots;
+    try (Stream<Path> all = Files.walk(CONFIG)) {
+      robots = all.filter(UpCommandTest::isRobot).sorted().toList();
+    }
+    assertThat(robots).hasSizeGreaterThan(4);
+    for (Path each : robots) {
+      assertThatCode(() -> Rehearsal.of(RobotXml.read(each, name -> null)))
+          .as("%s", each)
+          .doesNotThrowAnyException();
+    }
+  }
+
+  private static boolean isRobot(Path file) {
+    try {
+      return file.toString().endsWith(".xml") && Files.readString(file).contains("<robot xmlns=");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

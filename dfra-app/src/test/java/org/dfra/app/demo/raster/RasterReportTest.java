@@ -1,0 +1,105 @@
+package org.dfra.app.demo.raster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.dfra.app.demo.stage.Narration;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A short search in lock-step, and its report. */
+class RasterReportTest {
+
+  private static final List<String> FIGURES =
+      List.of(
+          "paths.svg",
+          "estimates.svg",
+          "coverage.svg",
+          "clearance.svg",
+          "cross-track.svg",
+          "fuzzy.svg",
+          "metrics.svg");
+
+  /** 9 m by 8 m in the middle of the field, with a post in it. */
+  private static final String REGION =
+      "48.000103,11.000215 48.000103,11.000335 48.000175,11.000335 48.000175,11.000215";
+
+  @TempDir Path folder;
+
+  private final StringWriter told = new StringWriter();
+
+  private void search(long seed, Path report) {
+    RasterOptions options = new RasterOptions();
+    options.local = true;
+    options.region = REGION;
+    options.spacing = 2.5;
+    options.seed = seed;
+    Narration narration = new Narration(new PrintWriter(told, true), System::nanoTime);
+    assertThat(RasterDemo.of(narration, options, report).run()).as(told.toString()).isTrue();
+  }
+
+  @Test
+  void isWrittenWholeAndTheSameSeedGivesTheSameBytes() throws Exception {
+    search(3, folder.resolve("one"));
+    search(3, folder.resolve("other"));
+    Map<String, String> one = files(folder.resolve("one"), ".csv");
+    assertThat(one)
+        .containsKeys("metrics.csv", "marks.csv", "collisions.csv")
+        .containsKeys("atrv1-path.csv", "atrv1-advice.csv", "atrv1-room.csv", "atrv1-fixes.csv")
+        .containsKeys("atrv2-path.csv", "atrv2-off-lane.csv", "atrv2-waypoints.csv")
+        .isEqualTo(files(folder.resolve("other"), ".csv"));
+    assertThat(one.get("atrv1-path.csv").lines()).hasSizeGreaterThan(300);
+    assertThat(one.get("atrv1-fixes.csv")).contains(",gps_front,", ",gps_rear,");
+    assertThat(one.get("atrv2-advice.csv").lines()).hasSizeGreaterThan(300);
+    assertThat(one.get("atrv1-mates.csv").lines())
+        .hasSizeGreaterThan(100)
+        .element(50)
+        .asString()
+        .contains(",atrv2,");
+    assertThat(one.get("metrics.csv").lines().skip(1))
+        .hasSize(2)
+        .allSatisfy(row -> assertThat(row).contains(",true,", "it has been everywhere"));
+    assertThat(told.toString().replaceAll("\\s+", " "))
+        .contains("Mode local:", "A region becomes lanes", "atrv2: the region is searched");
+
+    String html = Files.readString(folder.resolve("one/report.html"));
+    assertThat(html)
+        .contains("Mode local:", "Columbia AVENUE", "ICR, odometry alone", "waypoints missed by")
+        .contains("<td>atrv1, truly</td>")
+        // In lock-step both have one clock: what is measured is what their latencies differ by.
+        .containsPattern(
+            "clock against that of atrv1</td><td>-</td><td>[+-]0\\.00\\d s ± 0\\.0\\d+ s<")
+        .contains("by both estimates")
+        .contains(" is away and ", "GPS fixes", "least wanted")
+        .doesNotContain("no data", "NaN");
+    for (String each : FIGURES) {
+      assertThat(
+              DocumentBuilderFactory.newInstance()
+                  .newDocumentBuilder()
+                  .parse(folder.resolve("one").resolve(each).toFile())
+                  .getDocumentElement()
+                  .getTagName())
+          .as(each)
+          .isEqualTo("svg");
+    }
+  }
+
+  private static Map<String, String> files(Path folder, String ending) throws IOException {
+    Map<String, String> files = new TreeMap<>();
+    try (Stream<Path> all = Files.list(folder)) {
+      for (Path each : all.filter(file -> file.toString().endsWith(ending)).toList()) {
+        files.put(each.getFileName().toString(), Files.readString(each));
+      }
+    }
+    return files;
+  }
+}

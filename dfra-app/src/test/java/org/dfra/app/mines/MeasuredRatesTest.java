@@ -1,0 +1,56 @@
+package org.dfra.app.mines;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Properties;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+
+/** The rates that the mine detector is told are those that were measured last. */
+class MeasuredRatesTest {
+
+  private static final Path PROPERTIES =
+      Path.of(System.getProperty("dfra.root"), "config/modules/mine-detector.properties");
+  private static final String PREFIX = "parameter.";
+
+  /** Twelve of the cameras, four of both together. */
+  private static final int RATES = 16;
+
+  @Test
+  void thePropertiesAgreeWithTheRecordedBenchmark() throws Exception {
+    Properties properties = new Properties();
+    try (Reader reader = Files.newBufferedReader(PROPERTIES)) {
+      properties.load(reader);
+    }
+    Map<String, Double> told = new TreeMap<>();
+    for (String key : properties.stringPropertyNames()) {
+      if (key.contains("_positive")) {
+        told.put(key.substring(PREFIX.length()), Double.valueOf(properties.getProperty(key)));
+      }
+    }
+    assertThat(told).hasSize(RATES);
+    Map<String, Double> recorded = new TreeMap<>(RecordedRates.last());
+    recorded.keySet().retainAll(told.keySet());
+    assertThat(told)
+        .as(
+            "%s against the last run in benchmarks/mines.csv; copy what ./dfra bench mines measured",
+            PROPERTIES)
+        .isEqualTo(recorded);
+  }
+
+  /** One lane again: what was recorded can be measured by anybody. */
+  @Test
+  void aLaneGivesTheSameLooksAgain() {
+    assertThat(found(MineLane.of(1))).isNotEmpty().isEqualTo(found(MineLane.of(1)));
+  }
+
+  private static String found(MineLane lane) {
+    StringBuilder all = new StringBuilder();
+    lane.looks().forEach(look -> look.look().views().forEach(view -> all.append(view.found())));
+    return all.toString();
+  }
+}

@@ -1,0 +1,78 @@
+package org.dfra.app.recruit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.app.figure.Figure;
+import org.dfra.recruit.experiment.Cell;
+import org.dfra.recruit.experiment.CellResult;
+import org.dfra.recruit.experiment.Claim.Verdict;
+import org.dfra.recruit.experiment.Grid;
+import org.dfra.recruit.experiment.Metric;
+import org.dfra.recruit.experiment.RunResult;
+import org.dfra.recruit.transport.MessageMode;
+import org.junit.jupiter.api.Test;
+
+/** What results come to, on results made by hand. */
+class ComparisonTest {
+
+  private static final int CALLS = 12;
+
+  /** Three runs of which the n-th took so many transmissions for each recruitment and n more. */
+  private static CellResult runs(Cell cell, int transmissions, int failed, int doubles) {
+    List<RunResult> runs = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      int completed = CALLS - failed;
+      long sent = (long) completed * (transmissions + i);
+      runs.add(
+          new RunResult(
+              i, CALLS, completed, completed, sent, sent, 4, 50, 1, doubles, 0, 10 + i, 100));
+    }
+    return new CellResult(cell, runs);
+  }
+
+  private static Comparison of(int affective, int failed, int doubles) {
+    List<CellResult> results = new ArrayList<>();
+    for (Cell cell : Grid.cells()) {
+      boolean isAffective = cell.strategy().equals("affective");
+      results.add(runs(cell, isAffective ? affective : 20, isAffective ? failed : 0, doubles));
+    }
+    return new Comparison(results);
+  }
+
+  private static List<String> missed(Comparison comparison) {
+    return comparison.figures().missed().stream().map(Figure::what).toList();
+  }
+
+  @Test
+  void findsNothingMissedWhereAllIsWell() {
+    Comparison comparison = of(9, 0, 0);
+    assertThat(missed(comparison)).isEmpty();
+    // 2 of doubles and orphans, 4 of calls without help, 6 of transmissions
+    assertThat(comparison.figures().all()).hasSize(12);
+    assertThat(comparison.losses()).isEmpty();
+    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRANSMISSIONS, Verdict.WINS))
+        .isEqualTo(12);
+    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRAVEL, Verdict.OPEN))
+        .isEqualTo(12);
+  }
+
+  @Test
+  void saysWhereItLoses() {
+    Comparison comparison = of(21, 0, 0);
+    assertThat(missed(comparison)).hasSize(6).allMatch(each -> each.startsWith("transmissions"));
+    assertThat(comparison.sentences())
+        .contains(
+            "By broadcast affective recruitment takes fewer transmissions than greedy in 0 of 12"
+                + " cells, MORE in 12, and no difference was seen in 0.");
+  }
+
+  @Test
+  void missesWhatFailsAndWhatIsDouble() {
+    assertThat(missed(of(9, 1, 0)))
+        .hasSize(4)
+        .allMatch(each -> each.endsWith("calls without help in time"));
+    assertThat(missed(of(9, 0, 1))).containsExactly("second helpers at a loss up to 25 %");
+  }
+}

@@ -1,0 +1,151 @@
+package org.dfra.app.stop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.rmi.ConnectException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.app.stop.Outcome.Result;
+import org.dfra.flow.effector.StopState;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class StopRoundTest {
+
+  private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+  private static final StopState STOPPED = new StopState(true, "ops", NOON, true, null);
+
+  private final BlockingQueue<Outcome> well = new LinkedBlockingQueue<>();
+  private final CountDownLatch end = new CountDownLatch(1);
+  private final StopRound round =
+      new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), well::add);
+
+  @AfterEach
+  void close() {
+    end.countDown();
+    round.close();
+  }
+
+  private static Outcome stopped(String path) {
+    return Outcome.ofStop(path, null, STOPPED);
+  }
+
+  @Test
+  void oneThatIsSilentHoldsUpNoOther() throws Exception {
+    for (int i = 0; i < 50; i++) {
+      round.callListed(UUID.randomUUID(), "mute/drive" + i, this::beSilent);
+    }
+    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+  }
+
+  private Outcome beSilent() throws InterruptedException {
+    end.await();
+    return stopped("too late");
+  }
+
+  @Test
+  void whatIsNotAnsweredInTimeIsTriedOnceMoreAndTold() {
+    AtomicInteger calls = new AtomicInteger();
+    try (StopRound brief = new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), well::add)) {
+      brief.callListed(
+          UUID.randomUUID(),
+          "mute/drive",
+          () -> {
+            calls.incrementAndGet();
+            return beSilent();
+          });
+      assertThat(brief.outcomes())
+          .containsExactly(
+              new Outcome(
+                  "mute/drive",
+                  Result.NOT_STOPPED,
+                  null,
+                  null,
+                  "it did not answer within 0.05 s, twice"));
+    }
+    assertThat(calls.get()).isLessThanOrEqualTo(2); // a busy machine may begin a try too late
+    assertThat(well).isEmpty();
+  }
+
+  @Test
+  void whatFailsOnceIsTriedOnceMore() {
+    AtomicInteger calls = new AtomicInteger();
+    UUID id = UUID.randomUUID();
+    for (int i = 0; i < 3; i++) { // it is listed by three lookup services
+      round.callListed(
+          id,
+          "atrv1/drive",
+          () -> {
+            if (calls.incrementAndGet() == 1) {
+              throw new ConnectException("refused\nnested exception is: so and so");
+            }
+            return stopped("atrv1/drive");
+          });
+    }
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(calls).hasValue(2);
+  }
+
+  @Test
+  void whatFailsTwiceIsToldInOneLine() {
+    round.callListed(
+        UUID.randomUUID(),
+        "atrv1/drive",
+        () -> {
+          throw new ConnectException("refused\nnested exception is: so and so");
+        });
+    assertThat(round.outcomes())
+        .singleElement()
+        .returns(Result.NOT_STOPPED, Outcome::result)
+        .returns("atrv1/drive: NOT STOPPED: refused.", Outcome::inWords);
+  }
+
+  @Test
+  void itsOwnHostReachesWhatNoLookupServiceDoes() {
+    round.callListed(
+        UUID.randomUUID(),
+        "atrv1/drive",
+        () -> {
+          throw new ConnectException("refused");
+        });
+    round.callListed(UUID.randomUUID(), "atrv1/head", () -> stopped("atrv1/head"));
+    round.callLocal("atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callLocal(
+        "atrv1/head",
+        () -> {
+          throw new ConnectException("phoenix does not answer");
+        });
+    round.callLocal("atrv1/arm", () -> stopped("atrv1/arm"));
+    assertThat(round.outcomes())
+        .containsExactlyInAnyOrder(
+            stopped("atrv1/drive"), stopped("atrv1/head"), stopped("atrv1/arm"));
+  }
+
+  @Test
+  void tellsWhatTheAnswersMean() {
+    assertThat(List.of(stopped("a/b"), Outcome.ofStop("a/b", NOON, STOPPED)))
+        .extracting(Outcome::inWords)
+        .containsExactly(
+            "a/b: stopped.", "a/b: was stopped already, since 2026-11-21T12:00:00Z, by ops.");
+    StopState heldUp = new StopState(true, "ops", NOON, false, "its driver is held up");
+    assertThat(Outcome.ofStop("a/b", NOON, heldUp))
+        .returns("a/b: NOT AT REST: its driver is held up.", Outcome::inWords)
+        .matches(each -> !each.result().isWell());
+    StopState free = new StopState(false, "the chief", NOON, true, null);
+    assertThat(Outcome.ofStop("a/b", null, free).result()).isEqualTo(Result.NOT_STOPPED);
+    assertThat(Outcome.ofRelease("a/b", "the chief", free).inWords()).isEqualTo("a/b: released.");
+    assertThat(Outcome.ofRelease("a/b", "ops", StopState.NEVER).inWords())
+        .isEqualTo("a/b: was not stopped.");
+    assertThat(Outcome.ofRelease("a/b", "ops", STOPPED).result()).isEqualTo(Result.NOT_RELEASED);
+  }
+}

@@ -1,0 +1,42 @@
+package org.dfra.app.terminal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import org.dfra.flow.sensor.CameraImage;
+import org.dfra.flow.sensor.CameraImage.Band;
+import org.dfra.flow.sensor.RangeScan;
+import org.junit.jupiter.api.Test;
+
+class OutlineTest {
+
+  private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+
+  private static RangeScan scan() {
+    float[] ranges = new float[361];
+    for (int i = 0; i < ranges.length; i++) {
+      ranges[i] = i == 7 ? Float.POSITIVE_INFINITY : 1 + i / 360f;
+    }
+    return new RangeScan(NOON, "atrv1/laser", -1.5, 0.01, 0.03, 0, 8, ranges);
+  }
+
+  @Test
+  void sumsUpWhatNobodyReadsOneByOne() {
+    assertThat(Outline.of(scan())).contains("ranges: 361 numbers, 1 to 2");
+    assertThat(Inline.of(scan())).endsWith("ranges 361 numbers, 1 to 2");
+  }
+
+  @Test
+  void countsTheBytesOfAnImage() {
+    CameraImage image =
+        new CameraImage(
+            NOON, "atrv1/camera", Band.VISIBLE, 320, 240, 300, "image/jpeg", new byte[999]);
+
+    assertThat(Outline.of(image)).contains("data: 999 bytes");
+  }
+
+  @Test
+  void tellsProgramsEveryNumber() {
+    assertThat(Json.line(scan())).contains("\"ranges\":[1.0,").contains("\"Infinity\"");
+  }
+}
