@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -20,6 +18,7 @@ import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
@@ -58,10 +57,7 @@ class RunningRobotTest {
   }
 
   private RobotBootstrap robot() throws Exception {
-    int port;
-    try (ServerSocket socket = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
-      port = socket.getLocalPort();
-    }
+    int port = FreePorts.next();
     phoenix = new PhoenixProcess("127.0.0.1", port, -1, folder.resolve("phoenix"));
     process = phoenix.start(PATIENCE);
     Path xml = folder.resolve("robot.xml");
@@ -149,10 +145,7 @@ class RunningRobotTest {
 
   @Test
   void aRobotShowsItsPersonaInItsRegistrarAndChangesIt() throws Exception {
-    int port;
-    try (ServerSocket socket = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
-      port = socket.getLocalPort();
-    }
+    int port = FreePorts.next();
     robot();
     String locator = "jini://127.0.0.1:" + port;
     try (JiniModuleDirectory directory =

@@ -35,10 +35,12 @@ class CommandLineTest {
       delimiter = '|',
       value = {
         "frobnicate | there is no verb \"frobnicate\"; there is bench, completion, demo, dist, doctor,"
-            + " down, event, help, lease, log, module, persona, status, test, up",
+            + " down, event, fuzzy, help, lease, log, module, persona, recruit, sim,"
+            + " status, stop, task, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
-            + " | there is no demonstration \"nonesuch\"; there is persona, foundation; see: ./dfra demo --help",
+            + " | there is no demonstration \"nonesuch\"; there is raster, recruit, devices,"
+            + " persona, foundation; see: ./dfra demo --help",
         "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
         "up --port=abc" + " | --port=abc is not a whole number; see: ./dfra up --help",
         "up --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra up --help",
@@ -54,6 +56,13 @@ class CommandLineTest {
         "module list --wait=-1"
             + " | --wait=-1.0 is not a number of seconds from 0 to 3600; see: ./dfra module list"
             + " --help",
+        "fuzzy sho | there is no verb \"fuzzy sho\"; did you mean \"show\"?",
+        "fuzzy show | missing required parameter: 'FILE.FIS'; see: ./dfra fuzzy show --help",
+        "recruit | recruit needs a verb; there is experiment",
+        "recruit experiment --seeds=0"
+            + " | --seeds=0 is not a number from 2 to 10000; see: ./dfra recruit experiment --help",
+        "recruit experiment --jobs=none"
+            + " | --jobs=none is not a whole number; see: ./dfra recruit experiment --help",
         "persona | persona needs a verb; there is find, list, show",
         "persona find | missing required parameter: 'QUERY'; see: ./dfra persona find --help",
         "event echo gps --kind=loud"
@@ -100,6 +109,10 @@ class CommandLineTest {
         "module call --help",
         "persona find --help",
         "event echo --help",
+        "fuzzy --help",
+        "fuzzy show --help",
+        "recruit --help",
+        "recruit experiment --help",
         "event hz --help",
         "event bw --help",
         "lease list --help",

@@ -5,16 +5,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.app.terminal.ExitCode;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The demonstrations, run as a user runs them. */
 class DemoIT {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(120);
+  private static final Duration PATIENCE = Duration.ofSeconds(900);
 
   /** What a terminal is wide, with some room for the figures that are missed. */
   private static final int WIDTH = 110;
@@ -49,6 +51,29 @@ class DemoIT {
         "activation of an object in a live group",
         "phoenix restart to ready, 1000 objects",
         "same-VM proxy call over the direct call");
+  }
+
+  @Test
+  void recruitmentTellsItsStoryAndLeavesNothingBehind() throws Exception {
+    play(
+        "recruit",
+        "The team",
+        "appears: its agent can observe mine",
+        "nobody in reach of uav can observe \"gold\"; others observe mine",
+        "One comes, observes, and is released",
+        "uav calls for somebody who can observe \"mine\", 12 m east and 11 m north",
+        "uav has seen enough and releases",
+        "One dies on its way, and is replaced",
+        "Phoenix brings the agent back, which finds no robot to drive",
+        "The requester cannot be reached any more",
+        "has freed itself, with nobody to tell it so",
+        "letters were sent",
+        "All is shut down: none of the",
+        "Measured",
+        "death to another on its way",
+        "robots that are still bound to somebody",
+        "seconds in which two helped at once",
+        "searches that were left and did not go on");
   }
 
   @Test
@@ -107,18 +132,161 @@ class DemoIT {
         "longest wait for a reading while the robot was changed");
   }
 
-  /** Runs a demonstration and looks at what it says, records, answers and leaves behind. */
+  @Test
+  void theDevicesTellTheirStoryAndLeaveNothingBehindButAReport() throws Exception {
+    play(
+        "devices",
+        "A world begins, and a robot comes up in it",
+        "7 lines lead to devices of atrv1",
+        "The robot is up after",
+        "A client asks for what it needs",
+        "a drive that goes at 0.5 m/s or faster atrv1/drive",
+        "a camera for heat atrv1/thermal",
+        "It drives a square, and loses its drive on the way",
+        "was killed: the one that drives",
+        "it took a new one, looked where it was, and finished the square",
+        "It turns its head, and its cameras with it",
+        "6 images are in the report",
+        "What truly happened",
+        "The wheels stood",
+        "The report",
+        "All is shut down: none of the",
+        "Measured",
+        "cold start to every device working and shown",
+        "drive's last command to the robot standing");
+
+    String html = Files.readString(folder.resolve("report/report.html"));
+    assertThat(html).contains("Where it went", "drive killed", "<img src=\"data:image/png;base64,");
+    try (var files = Files.list(folder.resolve("report"))) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .contains("truth.csv", "atrv1-drive.csv", "atrv1-laser.csv", "atrv1-thermal.csv");
+    }
+    assertThat(Files.readAllLines(folder.resolve("report/atrv1-odometry.csv")))
+        .as("readings of the odometry")
+        .hasSizeGreaterThan(100);
+  }
+
+  /** Four lanes of 7.5 m in the west of the field. */
+  private static final String LANES =
+      "48.000022,11.000154 48.000022,11.000248 48.000090,11.000248 48.000090,11.000154";
+
+  /** A smaller region, without processes. */
+  @Test
+  void theRasterIsSearchedThoughLookupServicesEnd() throws Exception {
+    String said =
+        play(
+            "raster",
+            List.of("--embedded", "--speed=4", "--region=" + LANES),
+            "A region becomes lanes",
+            "lanes 1.75 m apart that makes 4 lanes",
+            "Mode embedded: all robots run in one virtual machine",
+            "The robots search it, each the other way round than the one before",
+            "its registrar is ended, which listed its",
+            "The search took",
+            "atrv1: the region is searched: it has been everywhere.",
+            "atrv2: the region is searched: it has been everywhere.",
+            "How well they searched",
+            "came to the end of its lanes yes yes",
+            "collisions 0 0",
+            "Measured",
+            "registrar back to all modules listed again",
+            "registrar back: modules that are listed under another service ID 0 wanted ≤ 0",
+            "atrv2: lateness of 99 % of the control loop's last turns",
+            "robots that did not come to the end of their lanes 0 wanted ≤ 0",
+            "collisions 0 wanted ≤ 0",
+            "share of the region that no robot saw");
+    assertThat(said)
+        .containsSubsequence(
+            "atrv2: its registrar is ended", "atrv2: its registrar is back and lists its")
+        .containsSubsequence("atrv1: its registrar is ended", "were without its registrar");
+    assertReport("Mode embedded", "its registrar is ended");
+  }
+
+  /**
+   * Minutes of processes that are killed, while the robots search the middle of the field: what a
+   * user sees who says no more than {@code ./dfra demo}.
+   */
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
+  void theRasterIsSearchedThoughProcessesAreKilled() throws Exception {
+    String said =
+        play(
+            "raster",
+            List.of(),
+            "A region becomes lanes",
+            "6 lanes, 12 waypoints",
+            "Mode processes: each robot has its phoenix",
+            "The search took",
+            "atrv1: the region is searched: it has been everywhere.",
+            "atrv2: the region is searched: it has been everywhere.",
+            "came to the end of its lanes yes yes",
+            "collisions 0 0",
+            "Measured",
+            "robots that did not come to the end of their lanes 0 wanted ≤ 0",
+            "collisions 0 wanted ≤ 0");
+    assertThat(said)
+        .containsSubsequence("atrv1: gps_front is killed", "atrv1: gps_front is back")
+        .containsSubsequence(
+            "atrv1: navigation is killed", "atrv1: its wheels stand", "atrv1: it goes on by itself")
+        .containsSubsequence(
+            "atrv1: drive is killed", "atrv1: its wheels stand", "atrv1: it goes on by itself")
+        .containsSubsequence(
+            "atrv2: its phoenix and its registrar are killed",
+            "it drives on",
+            "atrv2: phoenix is back")
+        .contains(
+            "gps_front killed to heard again",
+            "navigation killed: last command to wheels standing (robot's time)",
+            "navigation killed: waypoints to be driven to again 0 wanted ≤ 0",
+            "drive killed: waypoints to be driven to again 0 wanted ≤ 0",
+            "phoenix back: living groups that have another process 0 wanted ≤ 0");
+    assertReport("Mode processes", "navigation is killed");
+  }
+
+  private void assertReport(String... contents) throws Exception {
+    Path report = folder.resolve("report");
+    assertThat(Files.readString(report.resolve("report.html")))
+        .contains("Where they went", "What happened on the way", "<svg")
+        .contains(contents);
+    try (var files = Files.list(report)) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .contains("paths.svg", "clearance.svg", "fuzzy.svg", "metrics.csv", "marks.csv")
+          .contains("atrv1-path.csv", "atrv2-path.csv", "atrv1-advice.csv", "atrv2-fixes.csv");
+    }
+    for (String robot : List.of("atrv1", "atrv2")) {
+      assertThat(Files.readAllLines(report.resolve(robot + "-path.csv")))
+          .as("ten times a second")
+          .hasSizeGreaterThan(300);
+    }
+    assertThat(Files.readAllLines(report.resolve("collisions.csv"))).as("a header").hasSize(1);
+  }
+
   private void play(String name, String... story) throws Exception {
+    String unused = play(name, List.of(), story);
+  }
+
+  /**
+   * Runs a demonstration and looks at what it says, records, answers and leaves behind.
+   *
+   * @return what it said, in one line
+   */
+  private String play(String name, List<String> options, String... story) throws Exception {
     Path temp = Files.createDirectory(folder.resolve("tmp"));
     Path csv = folder.resolve("figures.csv");
+    String said;
     try (MarkedProcesses processes = new MarkedProcesses(folder, "-Djava.io.tmpdir=" + temp)) {
-      Outcome outcome = processes.dfra(PATIENCE, "demo", name, "--record=" + csv);
+      List<String> arguments = new ArrayList<>(List.of("demo", name, "--record=" + csv));
+      arguments.add("--report=" + folder.resolve("report"));
+      arguments.addAll(options);
+      Outcome outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
+      said = outcome.out().replaceAll("\\s+", " ");
 
       assertThat(outcome.out() + outcome.err()).doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
-      assertThat(outcome.out().replaceAll("\\s+", " ")).as("the story").containsSubsequence(story);
+      assertThat(said).as("the story").containsSubsequence(story);
       assertThat(outcome.out().lines()).allMatch(line -> line.length() <= WIDTH);
-      long figures = outcome.out().lines().filter(line -> line.contains("wanted ≤")).count();
+      long figures =
+          outcome.out().lines().dropWhile(line -> !line.equals("Measured")).skip(1).count();
       assertThat(Files.readAllLines(csv)).as("a header and a row each").hasSize((int) figures + 1);
       // A machine that is busy with other work may miss a figure; then it has to say so.
       int expected = outcome.out().contains("MISSED") ? ExitCode.FAILED : ExitCode.WELL;
@@ -128,5 +296,6 @@ class DemoIT {
     try (var left = Files.list(temp)) {
       assertThat(left.toList()).as("left in the temporary folder").isEqualTo(List.of());
     }
+    return said;
   }
 }

@@ -5,14 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.core.host.FreePorts;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
@@ -28,7 +27,7 @@ class DoctorIT {
 
   @Test
   void findsARobotWellAndThenIll() throws Exception {
-    int registrar = freePort();
+    int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(processes, state);
@@ -41,7 +40,7 @@ class DoctorIT {
               PATIENCE,
               "up",
               robot(registrar).toString(),
-              "--port=" + freePort(),
+              "--port=" + FreePorts.next(),
               "--registry-port=-1",
               state);
       assertThat(up.exit()).as(up.out() + up.err()).isZero();
@@ -125,11 +124,5 @@ class DoctorIT {
                 ThermometerServer.class.getName(),
                 ThermometerProxy.class.getName(),
                 SteadyThermometerImpl.class.getName()));
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      return socket.getLocalPort();
-    }
   }
 }

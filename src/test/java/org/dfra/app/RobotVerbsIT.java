@@ -6,8 +6,6 @@ import static org.awaitility.Awaitility.await;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -15,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
@@ -33,8 +32,8 @@ class RobotVerbsIT {
 
   @Test
   void bringsARobotUpOnceAndTakesItDown() throws Exception {
-    int registrar = freePort();
-    String port = "--port=" + freePort();
+    int registrar = FreePorts.next();
+    String port = "--port=" + FreePorts.next();
     String registry = "--registry-port=-1";
     String state = "--state=" + folder.resolve("state");
     String xml = robot(registrar).toString();
@@ -95,12 +94,12 @@ class RobotVerbsIT {
 
   @Test
   void modulesAreAskedAndChangedByName() throws Exception {
-    int registrar = freePort();
+    int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
     Path xml = robot(registrar);
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Verbs verbs = new Verbs(processes, state);
-      verbs.well("up", xml.toString(), "--port=" + freePort(), "--registry-port=-1");
+      verbs.well("up", xml.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");
 
       assertThat(verbs.well("module", "list", "--team="))
           .containsPattern("MODULE +KIND +STATE +CLIENTS +HOST +SEEN")
@@ -246,11 +245,5 @@ class RobotVerbsIT {
         </robot>
         """
             .formatted(registrar, module("warmth", 17)));
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      return socket.getLocalPort();
-    }
   }
 }

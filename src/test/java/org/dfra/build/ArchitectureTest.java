@@ -33,6 +33,7 @@ class ArchitectureTest {
     "org.dfra.module..",
     "org.dfra.geometry..",
     "org.dfra.flow..",
+    "org.dfra.agent..",
     "org.dfra.behavior..",
     "org.dfra.manager..",
     "org.dfra.persona..",
@@ -88,15 +89,18 @@ class ArchitectureTest {
   }
 
   @Test
-  void coreNeedsTheApiXmlMatricesAndLogOnly() {
+  void coreNeedsTheApiXmlJsonMatricesAndLogOnly() {
     String[] jdom = {"org.jdom2.."};
+    String[] jackson = {"com.fasterxml.jackson.core..", "com.fasterxml.jackson.databind.."};
     String[] ejml = {"org.ejml.."};
-    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, NULLNESS, LOG, jdom, ejml)));
+    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, NULLNESS, LOG, jdom, jackson, ejml)));
   }
 
+  /** Of the drivers only their links, which it is at the other end of: no protocol. */
   @Test
-  void simulationNeedsTheApiAndCoreOnly() {
-    check(SIM, dependsWithinDfraOnlyOn(SIM, join(SIM, API, CORE)));
+  void simulationNeedsTheApiCoreAndLinksOnly() {
+    String[] links = {"org.dfra.drivers.link"};
+    check(SIM, dependsWithinDfraOnlyOn(SIM, join(SIM, API, CORE, links)));
   }
 
   @Test
@@ -109,6 +113,24 @@ class ArchitectureTest {
       strings = {"org.dfra.core..", "org.dfra.drivers..", "org.dfra.behaviors..", "org.dfra.sim.."})
   void whatRunsOnARobotWithoutANetworkNeverNeedsRiver(String part) {
     check(new String[] {part}, neverDependsOnRiver(part));
+  }
+
+  /** But for its five classes over River, which are in a package of their own. */
+  @Test
+  void recruitmentsLogicNeedsTheApiAndCoreOnly() {
+    check(
+        new String[] {"org.dfra.recruit.."},
+        noClasses()
+            .that(
+                resideInAPackage("org.dfra.recruit..")
+                    .and(not(resideInAPackage("org.dfra.recruit.river.."))))
+            .should()
+            .dependOnClassesThat(
+                resideInAPackage("org.dfra..")
+                    .and(
+                        not(
+                            resideInAnyPackage(
+                                join(API, CORE, new String[] {"org.dfra.recruit.."}))))));
   }
 
   @Test
@@ -157,11 +179,11 @@ class ArchitectureTest {
   }
 
   @Test
-  void onlyTheApplicationNamesADriver() {
+  void onlyTheApplicationNamesADriverAndTheSimulationTheirLinks() {
     check(
         DRIVERS,
         noClasses()
-            .that(not(resideInAnyPackage("org.dfra.drivers..", "org.dfra.app..")))
+            .that(not(resideInAnyPackage("org.dfra.drivers..", "org.dfra.sim..", "org.dfra.app..")))
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.dfra.drivers.."));

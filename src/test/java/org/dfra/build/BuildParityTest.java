@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dfra.build.BuildModel.Dependency;
 import org.junit.jupiter.api.Test;
@@ -83,6 +85,15 @@ class BuildParityTest {
         .contains("isPreserveFileTimestamps = false", "isReproducibleFileOrder = true");
     assertThat(Repository.read(root.resolve("pom.xml")))
         .contains("<project.build.outputTimestamp>");
+  }
+
+  @Test
+  void testsDrawTheSameLotsInBothBuildsAndInEachRun() {
+    String pom = Repository.read(Repository.root().resolve("pom.xml"));
+    Matcher seed = Pattern.compile("<dfra\\.seed>(-?\\d+)</dfra\\.seed>").matcher(pom);
+    assertThat(seed.find()).as("a number in pom.xml, dfra.seed").isTrue();
+    assertThat(Repository.read(Repository.root().resolve("build.gradle.kts")))
+        .contains("gradleProperty(\"dfra.seed\").getOrElse(\"" + seed.group(1) + "\")");
   }
 
   @Test

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -24,6 +22,7 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.lease.LeaseRenewalManager;
+import org.dfra.core.host.FreePorts;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
@@ -215,10 +214,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   @Test
   void aLocatorWhereNobodyAnswersHoldsUpNobody() throws Exception {
-    int free;
-    try (ServerSocket socket = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
-      free = socket.getLocalPort();
-    }
+    int free = FreePorts.next();
     EmbeddedReggie reggie = reggies.get(0);
     list("r", "gps", 1);
     try (JiniModuleDirectory both =

@@ -4,15 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.UUID;
+import org.dfra.core.host.FreePorts;
 import org.dfra.dist.Installation.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,12 +29,12 @@ class DistIT {
             "DFRA_TEAM",
             "dist-" + UUID.randomUUID(),
             "DFRA_ATRV1_REGISTRAR_PORT",
-            freePort(),
+            Integer.toString(FreePorts.next()),
             "DFRA_ATRV1_CLASS_PORT",
-            freePort(),
+            Integer.toString(FreePorts.next()),
             // Nobody answers there: the module is up all the same, and goes on trying.
             "DFRA_ATRV1_GPS_FRONT_LINK",
-            "tcp://127.0.0.1:" + freePort());
+            "tcp://127.0.0.1:" + FreePorts.next());
     try (Installation installed = new Installation(folder)) {
       assertThat(installed.dfra(robot, "--version").out()).startsWith("dfra ");
       assertThat(installed.dfra(robot, "help").out())
@@ -47,7 +45,7 @@ class DistIT {
       assertThat(early.exit()).isEqualTo(4);
       assertThat(early.err()).contains("bring a robot up first: dfra up ROBOT.XML");
 
-      Outcome up = installed.dfra(robot, "up", "--port=" + freePort(), "--registry-port=-1");
+      Outcome up = installed.dfra(robot, "up", "--port=" + FreePorts.next(), "--registry-port=-1");
       assertThat(up.exit()).as(up.out() + up.err()).isZero();
       assertThat(up.out())
           .contains("Up: atrv1/registrar in group lookup.", "Up: atrv1/gps_front in group gps.")
@@ -86,6 +84,8 @@ class DistIT {
         .anyMatch(line -> line.endsWith("/lib/boot/dfra-activation.jar"))
         .anyMatch(line -> line.endsWith("/lib/dl/dfra-river-dl.jar"))
         .anyMatch(line -> line.endsWith("/config/robots/atrv1.xml"))
+        .anyMatch(line -> line.endsWith("/config/fuzzy/waypoint.fis"))
+        .noneMatch(line -> line.contains("VectorGraphics2D")) // under the LGPL
         .anyMatch(line -> line.endsWith("/docs/troubleshooting.md"))
         .anyMatch(line -> line.endsWith("/systemd/dfra.service"))
         .anyMatch(line -> line.endsWith("/README.md"));
@@ -113,11 +113,5 @@ class DistIT {
         .as("what it says of this unit")
         .doesNotContain("dfra.service");
     assertThat(verified.exit()).as(verified.err()).isZero();
-  }
-
-  private static String freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      return Integer.toString(socket.getLocalPort());
-    }
   }
 }

@@ -74,6 +74,7 @@ class CommandsTest {
     assertThat(fault("module fly")).isEqualTo("there is no verb module fly");
     assertThat(fault("module list --fast")).isEqualTo("module list has no option --fast");
     assertThat(fault("test --full --java /usr/lib/jvm/java-21")).isNull();
+    assertThat(fault("test --seed -42")).isNull();
     assertThat(fault("fly")).isEqualTo("there is no verb fly");
     assertThat(fault("demo nosuch")).isEqualTo("there is no demonstration nosuch");
     assertThat(fault("up --down")).isEqualTo("up has no option --down");
@@ -170,7 +171,7 @@ class CommandsTest {
   @Test
   void theReferenceNamesEveryOptionOfTest() {
     String reference = Documents.of(REFERENCE).text();
-    assertThat(testOptions()).contains("--full", "--java");
+    assertThat(testOptions()).contains("--full", "--java", "--seed");
     for (String option : testOptions()) {
       if (!Set.of("-h", "--help").contains(option)) {
         assertThat(reference).containsPattern("\\| `" + option + "[^`]*` \\|");

@@ -35,11 +35,17 @@ class ExamplesTest {
   /** What a reader's editor would import. */
   private static final String IMPORTS =
       Stream.of(
+              "java.nio.file.Path",
               "java.time.Duration",
+              "java.time.Instant",
               "java.util.List",
+              "org.dfra.behaviors.fuzzy.*",
+              "org.dfra.behaviors.raster.*",
               "org.dfra.core.query.*",
               "org.dfra.directory.*",
               "org.dfra.event.*",
+              "org.dfra.flow.effector.*",
+              "org.dfra.flow.effector.DriveCommand.*",
               "org.dfra.flow.sensor.*",
               "org.dfra.geometry.GeoPosition",
               "org.dfra.lease.ModuleLease",
@@ -47,14 +53,21 @@ class ExamplesTest {
               "org.dfra.persona.*",
               "org.dfra.river.filter.SerialFilters",
               "org.dfra.river.loading.*",
-              "org.dfra.river.lookup.JiniModuleDirectory")
+              "org.dfra.river.lookup.JiniModuleDirectory",
+              "org.dfra.sim.body.*",
+              "org.dfra.sim.run.Simulation",
+              "org.dfra.sim.time.LockStep",
+              "org.dfra.sim.world.*",
+              "org.dfra.sim.world.description.WorldDescription",
+              "org.dfra.sim.world.file.WorldXml")
           .map(name -> "import " + name + ";\n")
           .reduce("", String::concat);
 
   /** What an example may take as given. */
   private static final String GIVEN =
       "String host, List<String> groups, List<String> locators, GeoPosition here,"
-          + " GPSSensor receiver, java.nio.file.Path folder";
+          + " GPSSensor receiver, DriveEffector drive, WorldDescription field, Instant start,"
+          + " java.nio.file.Path folder";
 
   @TempDir Path folder;
 

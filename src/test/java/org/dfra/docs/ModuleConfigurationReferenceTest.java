@@ -86,16 +86,18 @@ class ModuleConfigurationReferenceTest {
     String source =
         Files.readString(
             Documents.ROOT.resolve(
-                "dfra-river/src/main/java/org/dfra/river/server/ModuleServer.java"));
+                "dfra-river/src/main/java/org/dfra/river/server/ModuleParts.java"));
 
     List<String> read =
-        Pattern.compile("getEntry\\(\\s*COMPONENT,\\s*\"(\\w+)\"")
+        Pattern.compile("getEntry\\(\\s*ModuleServer\\.COMPONENT,\\s*\"(\\w+)\"")
             .matcher(source)
             .results()
             .map(found -> found.group(1))
             .toList();
 
-    assertThat(read).as("entries that ModuleServer reads").containsExactly("serverExporter");
+    assertThat(read)
+        .as("entries that ModuleServer reads by its parts")
+        .containsExactly("serverExporter");
   }
 
   private static Map<String, Asked> askedByLandlordAndJoin() throws Exception {

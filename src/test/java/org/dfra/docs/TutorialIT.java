@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.awaitility.Awaitility;
+import org.dfra.core.host.FreePorts;
 import org.dfra.module.Module;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -24,8 +23,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The tutorial, followed to the letter: its files are written, its commands typed into a shell, and
- * what it says they print is looked for. Only ports and folders are this test's own.
+ * The tutorials, followed to the letter: their files are written, their commands typed into a
+ * shell, and what they say these print is looked for. Only ports and folders are this test's own.
  */
 class TutorialIT {
 
@@ -34,7 +33,7 @@ class TutorialIT {
 
   private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+)\\n(.*?)^```$");
   private static final Pattern FILE =
-      Pattern.compile("`([\\w-]+(?:/[\\w-]+)*\\.(?:java|properties|xml))`");
+      Pattern.compile("`([\\w-]+(?:/[\\w-]+)*\\.(?:java|properties|xml|geojson))`");
 
   @TempDir Path folder;
   private Path work;
@@ -46,9 +45,9 @@ class TutorialIT {
   @BeforeEach
   void prepareAClone() throws IOException, InterruptedException {
     work = Files.createDirectory(folder.resolve("my-sensors"));
-    phoenixPort = freePort();
-    registrarPort = freePort();
-    classPort = freePort();
+    phoenixPort = Integer.toString(FreePorts.next());
+    registrarPort = Integer.toString(FreePorts.next());
+    classPort = Integer.toString(FreePorts.next());
     Path lib = Files.createDirectories(folder.resolve("lib"));
     for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
       Path path = Path.of(entry);
@@ -95,7 +94,32 @@ class TutorialIT {
 
   @Test
   void writeYourOwnSensor() throws Exception {
-    String text = Documents.read(TUTORIALS.resolve("write-your-own-sensor.md"));
+    int looked = follow("write-your-own-sensor.md", work);
+    assertThat(looked).as("lines that were looked for").isGreaterThan(5);
+    assertThat(written()).as("files of the tutorial").contains("desk.xml", "trust.properties");
+  }
+
+  @Test
+  void twoRobotsSearchAField() throws Exception {
+    int looked = follow("two-robots-search-a-field.md", folder); // where ./dfra is
+    assertThat(looked).as("lines that were looked for").isGreaterThan(5);
+    assertThat(folder.resolve("reports/raster/report.html")).exists();
+  }
+
+  @Test
+  void addAStrategy() throws Exception {
+    int looked = follow("add-a-strategy.md", Files.createDirectory(folder.resolve("my-strategy")));
+    assertThat(looked).as("lines that were looked for").isGreaterThan(3);
+  }
+
+  /**
+   * Does what a tutorial says.
+   *
+   * @return how many lines of what it says is printed were looked for; those of blocks of {@code
+   *     output} differ from run to run and are not
+   */
+  private int follow(String tutorial, Path in) throws IOException, InterruptedException {
+    String text = Documents.read(TUTORIALS.resolve(tutorial));
     List<String> exports = new ArrayList<>();
     String printed = "";
     int looked = 0;
@@ -109,7 +133,7 @@ class TutorialIT {
             exports.add("export boot='" + System.getProperty("dfra.boot") + "'");
             continue;
           }
-          printed = shell(work, String.join("\n", exports) + "\n" + content);
+          printed = shell(in, String.join("\n", exports) + "\n" + content);
           content.lines().filter(line -> line.startsWith("export ")).forEach(exports::add);
         }
         case "text" -> {
@@ -118,15 +142,15 @@ class TutorialIT {
             looked++;
           }
         }
+        case "output" -> {}
         default -> {
-          Path file = work.resolve(named(text.substring(0, block.start())));
+          Path file = in.resolve(named(text.substring(0, block.start())));
           Files.createDirectories(file.getParent());
           Files.writeString(file, content);
         }
       }
     }
-    assertThat(looked).as("lines that were looked for").isGreaterThan(5);
-    assertThat(written()).as("files of the tutorial").contains("desk.xml", "trust.properties");
+    return looked;
   }
 
   private List<String> written() throws IOException {
@@ -161,18 +185,12 @@ class TutorialIT {
     shell.environment().merge("PATH", java.toString(), (path, own) -> own + ":" + path);
     shell.environment().put("PWD", in.toString());
     Process process = shell.start();
-    boolean ended = process.waitFor(90, TimeUnit.SECONDS);
+    boolean ended = process.waitFor(240, TimeUnit.SECONDS);
     process.destroyForcibly();
     String printed = Files.readString(said, StandardCharsets.UTF_8);
     Files.delete(said);
     assertThat(ended).as("%s\nstill runs; it said: %s", commands, printed).isTrue();
     assertThat(process.exitValue()).as("%s\nsaid: %s", commands, printed).isZero();
     return printed;
-  }
-
-  private static String freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      return Integer.toString(socket.getLocalPort());
-    }
   }
 }

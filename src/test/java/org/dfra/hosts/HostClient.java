@@ -61,7 +61,7 @@ final class HostClient implements AutoCloseable {
     try (M12Emulator front = receiver();
         M12Emulator rear = receiver();
         HostClient client = new HostClient(args[0])) {
-      say(front.url() + " " + rear.url());
+      say("GPS_FRONT=" + front.url() + " GPS_REAR=" + rear.url());
       BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
       for (String line; (line = in.readLine()) != null; ) {
         String[] words = line.split(" ");

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
@@ -19,10 +20,14 @@ import org.dfra.testing.TestHosts;
 /** A host with a robot on it, brought up as a user does it, and a client beside it. */
 final class RobotHost implements AutoCloseable {
 
-  private static final long PATIENCE_SECONDS = 60;
+  private static final long PATIENCE_SECONDS = 240; // eight virtual machines start
+
+  private static final int ATTEMPTS = 4;
+  private static final String LOG = "dfra.log";
 
   private final TestHosts hosts;
   private final int number;
+  private final Map<String, String> settings = new TreeMap<>(); // of the environment
   private final String robot;
   private final Path folder;
   private final TalkingProcess client;
@@ -31,10 +36,13 @@ final class RobotHost implements AutoCloseable {
    * Starts everything.
    *
    * @param number which of the hosts
-   * @param team discovery group
+   * @param team folder of the robot's description, and discovery group
    * @param folder an empty folder of this host alone
+   * @param time by what time the robot lives: {@code real} or as {@code DFRA_TIME} is written
+   * @param client main class of the client and its further arguments; the first is the team, and
+   *     the first that it says is which devices have which links, as {@code DEVICE=link ...}
    */
-  RobotHost(TestHosts hosts, int number, String team, Path folder)
+  RobotHost(TestHosts hosts, int number, String team, Path folder, String time, List<String> client)
       throws IOException, InterruptedException {
     this.hosts = hosts;
     this.number = number;
@@ -42,42 +50,53 @@ final class RobotHost implements AutoCloseable {
     this.folder = Files.createDirectories(folder);
     List<String> command = new ArrayList<>(hosts.on(number));
     command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
-    command.addAll(List.of(HostClient.class.getName(), team));
+    command.addAll(List.of(client.get(0), team));
+    command.addAll(client.subList(1, client.size()));
     this.client = new TalkingProcess(command);
-    String[] links = client.awaitLine().split(" ");
-    String prefix = "DFRA_" + robot.toUpperCase(java.util.Locale.ROOT);
-    dfra(
-        Map.of(
-            "DFRA_TEAM",
-            team,
-            prefix + "_GPS_FRONT_LINK",
-            links[0],
-            prefix + "_GPS_REAR_LINK",
-            links[1]),
-        "up",
-        Path.of(System.getProperty("dfra.root"), "config/teams/field", robot + ".xml").toString(),
-        "--registry-port=-1",
-        "--state=" + folder.resolve("state"));
+    settings.put("DFRA_TEAM", team);
+    settings.put("DFRA_TIME", time);
+    for (String device : this.client.awaitLine().split(" ")) {
+      String[] parts = device.split("=");
+      settings.put("DFRA_" + robot.toUpperCase(Locale.ROOT) + "_" + parts[0] + "_LINK", parts[1]);
+    }
+    bringUp(
+        Path.of(System.getProperty("dfra.root"), "config/teams", team, robot + ".xml").toString());
   }
 
-  private void dfra(Map<String, String> environment, String... arguments)
-      throws IOException, InterruptedException {
+  /** On a busy machine a registrar may not answer in time: then all is ended, and begun anew. */
+  private void bringUp(String xml) throws IOException, InterruptedException {
+    String state = "--state=" + folder.resolve("state");
+    for (int attempt = 1; dfra("up", xml, "--registry-port=-1", state) != 0; attempt++) {
+      String said = Files.readString(folder.resolve(LOG));
+      assertThat(attempt).as(said).isLessThan(ATTEMPTS);
+      assertThat(said).contains("got no answer within");
+      int unused = dfra("down", state);
+    }
+  }
+
+  /** Runs a command of {@code ./dfra} on this host, as its user does, and returns its exit code. */
+  private int dfra(String... arguments) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(hosts.on(number));
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add("-Ddfra.root=" + System.getProperty("dfra.root"));
     command.add("org.dfra.app.Main");
     command.addAll(List.of(arguments));
-    Path log = folder.resolve("dfra.log");
+    Path log = folder.resolve(LOG);
     ProcessBuilder builder =
         new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile());
-    builder.environment().putAll(environment);
+    builder.environment().putAll(settings);
     Process process = builder.start();
     if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
       process.destroyForcibly();
-      throw new AssertionError(robot + " is not up yet: " + Files.readString(log));
+      throw new AssertionError(
+          String.join(" ", arguments)
+              + " does not end on the host of "
+              + robot
+              + ": "
+              + Files.readString(log));
     }
-    assertThat(process.exitValue()).as(Files.readString(log)).isZero();
+    return process.exitValue();
   }
 
   /** The robot's name. */

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Two robots on two hosts, which find each other by multicast, lose each other and find each other
  * again. The connection is cut as radio is: silently.
  */
-@Timeout(300)
+@Timeout(600)
 class TwoHostsIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -42,9 +42,9 @@ class TwoHostsIT {
     Optional<String> refusal = TestHosts.refusal();
     assumeTrue(refusal.isEmpty(), () -> refusal.orElse(""));
     network = new TestHosts();
-    RobotHost first = new RobotHost(network, 0, "field", folder.resolve("first"));
+    RobotHost first = host(0, "first");
     hosts = List.of(first);
-    hosts = List.of(first, new RobotHost(network, 1, "field", folder.resolve("second")));
+    hosts = List.of(first, host(1, "second"));
     for (RobotHost host : hosts) {
       patiently()
           .untilAsserted(
@@ -57,6 +57,11 @@ class TwoHostsIT {
                           "atrv2/gps_front",
                           "atrv2/gps_rear"));
     }
+  }
+
+  private static RobotHost host(int number, String name) throws Exception {
+    List<String> client = List.of(HostClient.class.getName());
+    return new RobotHost(network, number, "field", folder.resolve(name), "real", client);
   }
 
   @AfterAll

@@ -12,6 +12,7 @@ import java.security.MessageDigest;
 import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
+import org.dfra.core.host.FreePorts;
 import org.dfra.robot.LivingPhoenix;
 import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterEach;
@@ -37,8 +38,8 @@ class RobotClassesIT {
     Path own = Files.createDirectories(folder.resolve("lib/dl"));
     Files.copy(DownloadJarTest.file(), own.resolve("dfra-river-dl.jar"));
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
-    port = LivingPhoenix.freePort();
-    classPort = LivingPhoenix.freePort();
+    port = FreePorts.next();
+    classPort = FreePorts.next();
   }
 
   @AfterEach

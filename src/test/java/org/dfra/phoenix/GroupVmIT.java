@@ -7,16 +7,12 @@ import static org.awaitility.Awaitility.await;
 import java.io.ObjectOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.RemoteException;
 import java.rmi.activation.ActivateFailedException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
-import java.rmi.activation.ActivationGroup;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
-import java.rmi.registry.LocateRegistry;
-import java.rmi.registry.Registry;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -337,57 +333,6 @@ class GroupVmIT {
     assertThat(temp.resolve("output/" + phoenix.status("option").name() + ".vm.log"))
         .content()
         .contains("NoSuchOption");
-  }
-
-  @Test
-  void readOnlyRegistryLeadsToTheSystemAndTakesNothing() throws Exception {
-    Registry registry = LocateRegistry.getRegistry("127.0.0.1", phoenix.registryPort);
-    String name = "java.rmi.activation.ActivationSystem";
-    assertThat(registry.list()).containsExactly(name);
-    assertThat(registry.lookup(name)).isEqualTo(phoenix.system());
-    // A caller of its own, since a virtual machine looks its system up once.
-    Process caller =
-        new ProcessBuilder(
-                java.util.stream.Stream.of(
-                        List.of(org.dfra.river.bootstrap.JvmCommand.java()),
-                        org.dfra.river.bootstrap.JvmCommand.options(),
-                        List.of(
-                            "-Djava.rmi.activation.port=" + phoenix.registryPort,
-                            SystemFinder.class.getName()))
-                    .flatMap(List::stream)
-                    .toList())
-            .redirectErrorStream(true)
-            .start();
-    assertThat(new String(caller.getInputStream().readAllBytes()))
-        .contains("found " + phoenix.admin().getActivationGroups().size() + " groups");
-    for (Change change :
-        List.<Change>of(
-            () -> registry.bind("mine", registry),
-            () -> registry.rebind(name, registry),
-            () -> registry.rebind(name, phoenix.system()),
-            () -> registry.unbind(name))) {
-      assertThatExceptionOfType(RemoteException.class).isThrownBy(change::run);
-    }
-    assertThat(registry.list()).as("what is bound after all that").containsExactly(name);
-  }
-
-  private interface Change {
-    void run() throws Exception;
-  }
-
-  /** A program that knows only {@code java.rmi.activation}. */
-  static final class SystemFinder {
-    private SystemFinder() {}
-
-    /** Prints how many groups the system has. */
-    public static void main(String[] args) throws Exception {
-      System.out.println(
-          "found "
-              + ((org.dfra.river.phoenix.PhoenixAdmin) ActivationGroup.getSystem())
-                  .getActivationGroups()
-                  .size()
-              + " groups");
-    }
   }
 
   @Test

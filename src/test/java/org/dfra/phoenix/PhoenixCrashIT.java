@@ -63,7 +63,7 @@ class PhoenixCrashIT {
 
   @Test
   void everyAcknowledgedRegistrationSurvivesAndNoGroupIsDoubled() throws Exception {
-    System.out.println("PhoenixCrashIT: " + KILLS + " kills, seed " + seed);
+    System.out.println("PhoenixCrashIT: " + KILLS + " kills, -Ddfra.seed=" + seed);
     phoenix =
         new PhoenixFixture(
                 temp,
@@ -77,7 +77,7 @@ class PhoenixCrashIT {
       activated.put(name, register(name, true));
     }
     for (int kill = 1; kill <= KILLS; kill++) {
-      String when = "kill " + kill + " of " + KILLS + ", seed " + seed;
+      String when = "kill " + kill + " of " + KILLS + ", -Ddfra.seed=" + seed;
       CompletableFuture<Void> streaming = stream();
       pause(random.nextInt(450));
       phoenix.kill();
@@ -89,7 +89,9 @@ class PhoenixCrashIT {
     }
     for (String name : GROUPS) {
       Beacon beacon = (Beacon) activated.get(name).activate(false);
-      assertThat(phoenix.vms(name)).as("at the end, seed %s", seed).containsExactly(beacon.pid());
+      assertThat(phoenix.vms(name))
+          .as("at the end, -Ddfra.seed=%d", seed)
+          .containsExactly(beacon.pid());
       launches += (int) phoenix.status(name).incarnation();
     }
     phoenix.assertNoDeviceConflict();
@@ -117,7 +119,7 @@ class PhoenixCrashIT {
             } catch (RemoteException e) {
               return; // killed
             } catch (Exception e) {
-              throw new AssertionError("seed " + seed, e);
+              throw new AssertionError("-Ddfra.seed=" + seed, e);
             }
           }
         },

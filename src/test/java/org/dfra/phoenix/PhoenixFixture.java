@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,6 +25,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.awaitility.core.ConditionTimeoutException;
+import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.JvmCommand;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
@@ -73,15 +72,9 @@ class PhoenixFixture implements AutoCloseable {
   PhoenixFixture(Path folder, String... overrides) throws IOException {
     this.folder = folder.toRealPath();
     this.journal = this.folder.resolve("journal");
-    this.port = freePort();
-    this.registryPort = freePort();
+    this.port = FreePorts.next();
+    this.registryPort = FreePorts.next();
     this.overrides = List.of(overrides);
-  }
-
-  static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    }
   }
 
   /** Another folder for the journal, on a disk of its own. */

@@ -17,6 +17,7 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
+import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -63,7 +64,7 @@ class RiverIT {
   void stockReggieKeepsItsIdAndRegistrationsAcrossKillMinusNine() throws Exception {
     ActivationGroupID group = phoenix.group("registrar");
     Path state = Files.createDirectory(temp.resolve("registrars")).resolve("atrv1");
-    int port = PhoenixFixture.freePort();
+    int port = FreePorts.next();
     String[] arguments = {
       RobotBootstrap.class.getResource("registrar.config").toString(),
       "com.sun.jini.reggie.host=\"127.0.0.1\"",

@@ -3,12 +3,11 @@ package org.dfra.robot;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 
@@ -34,7 +33,7 @@ public final class LivingPhoenix implements AutoCloseable {
   }
 
   static LivingPhoenix start(String host, Path state) throws IOException {
-    PhoenixProcess phoenix = new PhoenixProcess(host, freePort(), -1, state);
+    PhoenixProcess phoenix = new PhoenixProcess(host, FreePorts.next(), -1, state);
     return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }
 
@@ -78,12 +77,5 @@ public final class LivingPhoenix implements AutoCloseable {
   private void killAll() {
     note();
     seen.forEach(ProcessHandle::destroyForcibly);
-  }
-
-  /** A TCP port of the loopback that nobody listens on now. */
-  public static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      return socket.getLocalPort();
-    }
   }
 }

@@ -14,6 +14,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
@@ -35,7 +36,7 @@ class MovedRobotIT {
   @Test
   void comesUpAtItsNewAddressWithItsOldIdentities() throws Exception {
     assumeTrue(isAddressHere("127.0.0.2"), "127.0.0.2 is no address of this machine");
-    int port = LivingPhoenix.freePort();
+    int port = FreePorts.next();
     UUID before = upAndFound("127.0.0.1", port);
     assertThat(upAndFound("127.0.0.2", port)).isEqualTo(before);
   }

@@ -29,6 +29,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.lookup.entry.Name;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
@@ -74,7 +75,7 @@ class RobotBootstrapIT {
     receiver = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), Instant::now);
     receiver.start();
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
-    port = LivingPhoenix.freePort();
+    port = FreePorts.next();
     alpha = alpha("20");
     List<RobotBootstrap.Service> up = up(alpha);
     assertThat(up)
@@ -103,8 +104,8 @@ class RobotBootstrapIT {
             + group(
                 "sensors",
                 "<module name=\"gps_front\""
-                    + " server=\"org.dfra.river.server.GPSServer\""
-                    + " proxy=\"org.dfra.river.proxy.GPSProxy\""
+                    + " server=\"org.dfra.river.server.sensor.GPSServer\""
+                    + " proxy=\"org.dfra.river.proxy.sensor.GPSProxy\""
                     + " driver=\"org.dfra.drivers.gps.m12.M12PlusImpl\">"
                     + "<parameter name=\"link\" value=\""
                     + receiver.url()
@@ -239,10 +240,10 @@ class RobotBootstrapIT {
 
   @Test
   void aRegistrarTakesAnotherPortAndOtherGroupsWhenTheyAreChanged() throws Exception {
-    int first = LivingPhoenix.freePort();
+    int first = FreePorts.next();
     up(zeta("old", first));
     ServiceID id = new LookupLocator(HOST, first).getRegistrar().getServiceID();
-    int second = LivingPhoenix.freePort();
+    int second = FreePorts.next();
     up(zeta("new,more", second));
     ServiceRegistrar moved = new LookupLocator(HOST, second).getRegistrar();
     assertThat(moved.getServiceID()).isEqualTo(id);
@@ -347,7 +348,7 @@ class RobotBootstrapIT {
     assumeFalse(
         HostAddress.isLoopback(host),
         "this machine has no interface but the loopback, so auto can choose no other");
-    int here = LivingPhoenix.freePort();
+    int here = FreePorts.next();
     Path epsilon =
         robot(
             "epsilon",

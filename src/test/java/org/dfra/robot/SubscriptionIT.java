@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -56,7 +57,7 @@ class SubscriptionIT {
             M12Settings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
     receiver.start();
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
-    int port = LivingPhoenix.freePort();
+    int port = FreePorts.next();
     Path xml = folder.resolve("robot.xml");
     Files.writeString(
         xml,
@@ -64,8 +65,8 @@ class SubscriptionIT {
         <robot xmlns="urn:dfra:robot:1" name="zeta" host="127.0.0.1">
           <group name="lookup"><registrar port="%d"/></group>
           <group name="gps">
-            <module name="gps_front" server="org.dfra.river.server.GPSServer"
-                proxy="org.dfra.river.proxy.GPSProxy"
+            <module name="gps_front" server="org.dfra.river.server.sensor.GPSServer"
+                proxy="org.dfra.river.proxy.sensor.GPSProxy"
                 driver="org.dfra.drivers.gps.m12.M12PlusImpl">
               <parameter name="link" value="%s"/>
             </module>

@@ -1,25 +1,13 @@
 package org.dfra.testing;
 
-import com.sun.jini.reggie.TransientRegistrarImpl;
-import com.sun.jini.start.LifeCycle;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.NetworkInterface;
-import java.net.ServerSocket;
-import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
-import javax.net.ServerSocketFactory;
-import net.jini.config.Configuration;
 import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.jeri.BasicJeriExporter;
-import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.call.Endpoints;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
@@ -61,8 +49,7 @@ public final class EmbeddedReggie
   private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
 
   private final int wantedPort;
-  private Reggie reggie; // guarded by this
-  private ServiceRegistrar registrar; // guarded by this
+  private EmbeddedRegistrar reggie; // guarded by this
   private String group; // guarded by this
 
   /** At a port of the system's choice. */
@@ -78,31 +65,37 @@ public final class EmbeddedReggie
   }
 
   /** Starts it. Does nothing when already started. */
-  public synchronized EmbeddedReggie start() throws Exception {
+  public synchronized EmbeddedReggie start() throws IOException {
     if (reggie == null) {
       group = "test-" + UUID.randomUUID();
-      reggie = new Reggie(configuration(group, wantedPort));
-      registrar = (ServiceRegistrar) reggie.getServiceProxy();
+      reggie =
+          new EmbeddedRegistrar(
+                  HOST, wantedPort, List.of(group), Duration.ofMillis(LEASE_MILLIS), Map.of())
+              .start();
     }
     return this;
   }
 
   /** Ends it and waits until it has ended. Does nothing when not started. */
   @Override
-  public synchronized void close() throws RemoteException, InterruptedException {
+  public synchronized void close() throws IOException {
     if (reggie != null) {
-      reggie.end();
+      EmbeddedRegistrar ending = reggie;
       reggie = null;
-      registrar = null;
+      ending.close();
     }
   }
 
   /** The lookup service, for tests that speak with it themselves. */
-  public synchronized ServiceRegistrar registrar() {
-    if (registrar == null) {
+  public ServiceRegistrar registrar() {
+    return running().registrar();
+  }
+
+  private synchronized EmbeddedRegistrar running() {
+    if (reggie == null) {
       throw new IllegalStateException("the embedded reggie does not run; start it first");
     }
-    return registrar;
+    return reggie;
   }
 
   /** Where modules and clients find it: {@code jini://127.0.0.1:port}. */
@@ -112,16 +105,12 @@ public final class EmbeddedReggie
 
   /** Its TCP port for unicast discovery. */
   public int port() {
-    try {
-      return registrar().getLocator().getPort();
-    } catch (RemoteException e) {
-      throw new IllegalStateException("the embedded reggie does not answer", e);
-    }
+    return running().port();
   }
 
   /** Its discovery group, of which no other lookup service is a member. */
   public synchronized String group() {
-    registrar();
+    running();
     return group;
   }
 
@@ -148,7 +137,7 @@ public final class EmbeddedReggie
   private EmbeddedReggie started() {
     try {
       return start();
-    } catch (Exception e) {
+    } catch (IOException e) {
       throw new IllegalStateException("the embedded reggie did not start", e);
     }
   }
@@ -156,7 +145,7 @@ public final class EmbeddedReggie
   /** Closes it with the context that it was started for. */
   private record Run(EmbeddedReggie running) implements AutoCloseable {
     @Override
-    public void close() throws RemoteException, InterruptedException {
+    public void close() throws IOException {
       running.close();
     }
   }
@@ -193,86 +182,6 @@ public final class EmbeddedReggie
         context.getStore(NAMESPACE).remove(JiniModuleDirectory.class, JiniModuleDirectory.class);
     if (directory != null) {
       directory.close();
-    }
-  }
-
-  private static Configuration configuration(String group, int port) {
-    String reggie = "com.sun.jini.reggie.";
-    NetworkInterface[] none = {};
-    return new SuppliedConfiguration(
-        Map.ofEntries(
-            Map.entry(reggie + "initialMemberGroups", () -> new String[] {group}),
-            Map.entry(
-                reggie + "serverExporter",
-                () ->
-                    new BasicJeriExporter(
-                        Endpoints.tcp(HOST, 0), new DeadlineILFactory(), false, true)),
-            Map.entry(reggie + "serverSocketFactory", () -> new DiscoverySockets(port)),
-            Map.entry(reggie + "unicastDiscoveryHost", () -> HOST),
-            Map.entry(reggie + "multicastInterfaces", () -> none),
-            Map.entry(reggie + "minMaxServiceLease", () -> LEASE_MILLIS),
-            Map.entry(reggie + "minMaxEventLease", () -> LEASE_MILLIS),
-            Map.entry("net.jini.discovery.LookupDiscovery.multicastInterfaces", () -> none)));
-  }
-
-  /** Reggie, and when it has ended. */
-  private static final class Reggie extends TransientRegistrarImpl {
-
-    private static final long PATIENCE_SECONDS = 10;
-
-    private final CountDownLatch ended;
-
-    Reggie(Configuration configuration) throws Exception {
-      this(configuration, new CountDownLatch(1));
-    }
-
-    private Reggie(Configuration configuration, CountDownLatch ended) throws Exception {
-      super(configuration, end(ended));
-      this.ended = ended;
-    }
-
-    private static LifeCycle end(CountDownLatch ended) {
-      return reggie -> {
-        ended.countDown();
-        return true;
-      };
-    }
-
-    void end() throws RemoteException, InterruptedException {
-      destroy();
-      if (!ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-        throw new IllegalStateException(
-            "the embedded reggie did not end within " + PATIENCE_SECONDS + " s");
-      }
-    }
-  }
-
-  /**
-   * Sockets of the loopback at one port. Reggie asks for port 4160 first; a test never takes what a
-   * robot on this machine may need.
-   */
-  private static final class DiscoverySockets extends ServerSocketFactory {
-
-    private final int port;
-
-    DiscoverySockets(int port) {
-      this.port = port;
-    }
-
-    @Override
-    public ServerSocket createServerSocket(int wanted) throws IOException {
-      return new ServerSocket(port, 0, InetAddress.getByName(HOST));
-    }
-
-    @Override
-    public ServerSocket createServerSocket(int wanted, int backlog) throws IOException {
-      return new ServerSocket(port, backlog, InetAddress.getByName(HOST));
-    }
-
-    @Override
-    public ServerSocket createServerSocket(int wanted, int backlog, InetAddress address)
-        throws IOException {
-      return new ServerSocket(port, backlog, address);
     }
   }
 }

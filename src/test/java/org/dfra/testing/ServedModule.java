@@ -1,17 +1,24 @@
 package org.dfra.testing;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationID;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
+import org.dfra.core.config.RobotXml;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.module.Module;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
@@ -57,6 +64,98 @@ public record ServedModule<S extends ModuleServer<?>>(
         server,
         new ModuleActivation(
             description, UUID.randomUUID(), EmbeddedReggie.HOST, List.of(), List.of()));
+  }
+
+  /**
+   * The module {@code robot/name}, as a robot's XML and the properties that come with DFRA describe
+   * it: of a fresh identity, joining nothing.
+   *
+   * @param folder takes the XML, {@code name.xml}; its fourth line is the first parameter
+   * @param properties name of a file in {@code config/modules}, without its ending
+   * @param parameters what the XML says besides, in the order of the map
+   */
+  public static ServedModule<?> written(
+      Path folder, String name, String properties, Map<String, String> parameters)
+      throws Exception {
+    Path modules = Path.of(System.getProperty("dfra.root"), "config", "modules");
+    Path xml =
+        Files.writeString(
+            folder.resolve(name + ".xml"),
+            """
+            <robot xmlns="urn:dfra:robot:1" name="robot" host="127.0.0.1">
+              <group name="all">
+                <module name="%s" properties="%s">
+            %s
+                </module>
+              </group>
+            </robot>
+            """
+                .formatted(
+                    name,
+                    modules.resolve(properties + ".properties"),
+                    parameters.entrySet().stream()
+                        .map(
+                            each ->
+                                "      <parameter name=\"%s\" value=\"%s\"/>"
+                                    .formatted(each.getKey(), each.getValue()))
+                        .collect(Collectors.joining("\n"))));
+    return of(RobotXml.read(xml).groups().get(0).modules().get(0));
+  }
+
+  /** The same of a certain kind, which is checked: made of this server and this proxy. */
+  public static <S extends ModuleServer<?>> ServedModule<S> written(
+      Class<S> server,
+      Class<? extends ModuleProxy<? extends Module>> proxy,
+      Path folder,
+      String name,
+      String properties,
+      Map<String, String> parameters)
+      throws Exception {
+    ModuleActivation activation = written(folder, name, properties, parameters).activation();
+    assertThat(activation.module().serverClass()).isEqualTo(server.getName());
+    assertThat(activation.module().proxyClass()).isEqualTo(proxy.getName());
+    return new ServedModule<>(server, activation);
+  }
+
+  @SuppressWarnings("unchecked")
+  private static ServedModule<?> of(ModuleDescription described) throws ClassNotFoundException {
+    return of(
+            (Class<? extends ModuleServer<?>>) Class.forName(described.serverClass()),
+            (Class<? extends ModuleProxy<?>>) Class.forName(described.proxyClass()),
+            Class.forName(described.driverClass()).asSubclass(ModuleImpl.class))
+        .described(described);
+  }
+
+  /** The same module of another robot. */
+  public ServedModule<S> on(String robot) {
+    ModuleDescription old = activation.module();
+    return described(
+        new ModuleDescription(
+            robot,
+            old.name(),
+            old.serverClass(),
+            old.proxyClass(),
+            old.driverClass(),
+            old.configuration(),
+            old.restart(),
+            new Parameters(robot + "/" + old.name(), old.parameters().all()),
+            old.place()));
+  }
+
+  /** The same with another driver, which is told nothing yet: parameters are a driver's own. */
+  public ServedModule<S> driven(Class<? extends ModuleImpl> driver) {
+    ModuleDescription old = activation.module();
+    return described(
+        new ModuleDescription(
+            old.robot(),
+            old.name(),
+            old.serverClass(),
+            old.proxyClass(),
+            driver.getName(),
+            old.configuration(),
+            old.restart(),
+            Parameters.of(old.path(), Map.of()),
+            old.place()));
   }
 
   /** The same with another parameter for its driver. */

@@ -6,7 +6,7 @@ import static org.awaitility.Awaitility.await;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.LongStream;
-import org.dfra.river.server.GPSServer;
+import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -3,7 +3,7 @@ package org.dfra.example.thermometer;
 import java.rmi.RemoteException;
 import java.util.UUID;
 import org.dfra.module.Identification;
-import org.dfra.river.proxy.SensorProxy;
+import org.dfra.river.proxy.sensor.SensorProxy;
 import org.dfra.river.remote.RemoteModule;
 
 /** Smart proxy of a thermometer. */

@@ -4,7 +4,7 @@ import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import org.dfra.river.server.ModuleActivation;
-import org.dfra.river.server.SensorServer;
+import org.dfra.river.server.sensor.SensorServer;
 
 /** Activatable server of a thermometer. */
 public final class ThermometerServer extends SensorServer<Thermometer>

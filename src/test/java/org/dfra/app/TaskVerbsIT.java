@@ -1,0 +1,272 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
+import org.dfra.sim.run.Simulation;
+import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.file.WorldXml;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * {@code ./dfra task} with the two robots of the raster world, whose modules run as on a real one,
+ * though each robot's in one process.
+ */
+@Timeout(360)
+class TaskVerbsIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(90);
+  private static final Path CONFIG = Path.of(System.getProperty("dfra.root"), "config");
+
+  /** A field of 9 m by 8 m in the middle of the world, between the robots. */
+  private static final String NEAR =
+      "48.000103,11.000215 48.000103,11.000335 48.000175,11.000335 48.000175,11.000215";
+
+  /** The same 1000 km farther north. */
+  private static final String FAR =
+      "57.000103,11.000215 57.000103,11.000335 57.000175,11.000335 57.000175,11.000215";
+
+  @TempDir Path folder;
+
+  private Simulation world;
+  private MarkedProcesses processes;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    processes = new MarkedProcesses(folder);
+    world =
+        Simulation.overTcp(
+            WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null),
+            InstantSource.system(),
+            Simulation.Ports.ANY);
+    world.start();
+    Outcome up =
+        processes.dfra(
+            PATIENCE,
+            "up",
+            robot("atrv1"),
+            robot("atrv2"),
+            "--port=" + FreePorts.next(),
+            "--registry-port=-1",
+            state());
+    assertThat(up.exit()).as(up.out() + up.err()).isZero();
+    await().atMost(PATIENCE).until(() -> !said("module", "list").contains("initializing"));
+  }
+
+  /** The robot's own description with its registrar and all modules in one group. */
+  private String robot(String name) throws Exception {
+    Map<String, String> settings = new HashMap<>();
+    settings.put("DFRA_HOST", "127.0.0.1");
+    settings.put("DFRA_" + name.toUpperCase(Locale.ROOT) + "_CLASS_PORT", "off");
+    settings.put(
+        "DFRA_" + name.toUpperCase(Locale.ROOT) + "_REGISTRAR_PORT",
+        Integer.toString(FreePorts.next()));
+    world.lines().forEach(line -> settings.put(line.variable(), line.link()));
+    RobotDescription read =
+        RobotXml.read(CONFIG.resolve("teams/raster/" + name + ".xml"), settings::get);
+    List<ModuleDescription> modules = new ArrayList<>(read.modules());
+    GroupDescription all =
+        new GroupDescription(
+            "all", List.of("-Xmx256m"), read.registrar(), modules, read.groups().get(0).place());
+    Path xml = folder.resolve(name + ".xml");
+    RobotXml.write(
+        new RobotDescription(
+            read.name(),
+            read.host(),
+            read.lookupGroups(),
+            read.locators(),
+            read.persona(),
+            List.of(all),
+            xml),
+        xml);
+    return xml.toString();
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    try {
+      Outcome down = processes.dfra(PATIENCE, "down", state());
+      assertThat(down.exit()).as(down.out() + down.err()).isZero();
+    } finally {
+      processes.close();
+      if (world != null) {
+        world.close();
+      }
+    }
+  }
+
+  private String state() {
+    return "--state=" + folder.resolve("state");
+  }
+
+  private Outcome ask(String... words) throws Exception {
+    return processes.dfra(
+        PATIENCE,
+        Stream.concat(
+                Arrays.stream(words),
+                Stream.of("--team=", "--locator=", "--host=127.0.0.1", "--wait=20", state()))
+            .toArray(String[]::new));
+  }
+
+  private String said(String... words) throws Exception {
+    Outcome outcome = ask(words);
+    assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
+    return outcome.out();
+  }
+
+  private void refused(int exit, String sentence, String... words) throws Exception {
+    Outcome outcome = ask(words);
+    assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isEqualTo(exit);
+    assertThat(outcome.err().lines()).as(outcome.err()).hasSize(1);
+    assertThat(outcome.err()).startsWith("dfra: ").contains(sentence);
+    assertThat(outcome.out()).isEmpty();
+  }
+
+  private JsonNode tasks(String... words) throws Exception {
+    return new ObjectMapper()
+        .readTree(
+            said(
+                Stream.concat(Stream.of("task"), Stream.concat(Arrays.stream(words), json()))
+                    .toArray(String[]::new)));
+  }
+
+  private static Stream<String> json() {
+    return Stream.of("--json");
+  }
+
+  /** Whether a robot's wheels turn. */
+  private boolean moves(String robot) {
+    TruePose pose = world.world().truth().pose(robot, Instant.now());
+    return pose.speed() > 0.05 || Math.abs(pose.turnRate()) > 0.05;
+  }
+
+  private void assertPhases(JsonNode tasks, String first, String second) {
+    assertThat(List.of(tasks.get(0).get("robot").asText(), tasks.get(1).get("robot").asText()))
+        .containsExactly("atrv1", "atrv2");
+    assertThat(List.of(tasks.get(0).get("phase").asText(), tasks.get(1).get("phase").asText()))
+        .as(tasks.toString())
+        .containsExactly(first, second);
+  }
+
+  private void awaitMotion() {
+    await().atMost(PATIENCE).until(() -> moves("atrv1") && moves("atrv2"));
+  }
+
+  private void awaitRest() {
+    await().atMost(PATIENCE).until(() -> !moves("atrv1") && !moves("atrv2"));
+  }
+
+  @Test
+  void robotsAreSentPausedSentOnAndCalledOff() throws Exception {
+    assertPhases(tasks("status"), "IDLE", "IDLE");
+    assertPhases(tasks("pause"), "IDLE", "IDLE");
+
+    Outcome sent = ask("task", "submit", "raster", "--region=" + NEAR);
+    assertThat(sent.exit()).as(sent.out() + sent.err()).isZero();
+    assertThat(sent.err()).contains("how far they are: ./dfra task status");
+    assertThat(sent.out().lines().map(line -> line.replaceAll(" +", " ")))
+        .filteredOn(line -> !line.startsWith(" ")) // what a robot is at may need two lines
+        .satisfiesExactly(
+            line -> assertThat(line).isEqualTo("ROBOT TASK DONE IT"),
+            line -> assertThat(line).startsWith("atrv1 running 0 % "),
+            line -> assertThat(line).startsWith("atrv2 running 0 % "));
+    awaitMotion();
+    refused(
+        1,
+        "atrv1/raster_search is at another goal (",
+        "task",
+        "submit",
+        "raster",
+        "--region=" + NEAR);
+    assertThat(moves("atrv1") || moves("atrv2")).as("after a refusal").isTrue();
+
+    assertPhases(tasks("pause"), "PAUSED", "PAUSED");
+    awaitRest();
+    assertThat(tasks("resume", "--robot=atrv2")).hasSize(1);
+    await().atMost(PATIENCE).until(() -> moves("atrv2"));
+    assertThat(moves("atrv1")).isFalse();
+    assertPhases(tasks("status"), "PAUSED", "RUNNING");
+
+    assertThat(said("stop", "--all")).contains("atrv1/drive: stopped.", "atrv2/drive: stopped.");
+    awaitRest();
+    await().atMost(PATIENCE).untilAsserted(() -> assertPhases(tasks("status"), "PAUSED", "PAUSED"));
+    assertThat(said("stop", "--release", "--all")).contains("2 effectors: 2 released.");
+    assertPhases(tasks("status"), "PAUSED", "PAUSED");
+    assertPhases(tasks("resume"), "RUNNING", "RUNNING");
+    awaitMotion();
+    assertPhases(tasks("cancel"), "CANCELLED", "CANCELLED");
+    awaitRest();
+    assertPhases(tasks("resume"), "CANCELLED", "CANCELLED");
+  }
+
+  @Test
+  void refusesBeforeAnyRobotMoves() throws Exception {
+    refused(
+        3,
+        "robot atrv3 has no RasterSearch, or is not there; ./dfra persona list",
+        "task",
+        "status",
+        "--robot=atrv3");
+    refused(
+        3,
+        "robot atrv3 has no RasterSearch",
+        "task",
+        "submit",
+        "raster",
+        "--region=" + NEAR,
+        "--robot=atrv1,atrv3");
+    refused(2, "--robot names no robot", "task", "cancel", "--robot=,");
+    await() // until they know where they are
+        .atMost(PATIENCE)
+        .until(() -> ask("module", "call", "atrv2/position", "estimate").exit() == 0);
+    refused(1, " km from the robot at ", "task", "submit", "raster", "--region=" + FAR);
+    Path file = folder.resolve("far.geojson");
+    Files.writeString(
+        file,
+        """
+        {"type": "Polygon", "coordinates": [[
+          [11.000215, 57.000103], [11.000335, 57.000103], [11.000335, 57.000175],
+          [11.000215, 57.000103]]]}
+        """);
+    refused(1, " km from the robot at ", "task", "submit", "raster", "--region=" + file);
+    assertPhases(tasks("status"), "IDLE", "IDLE");
+
+    JsonNode one = tasks("submit", "raster", "--region=" + NEAR, "--robot=atrv2");
+    assertThat(one).hasSize(1);
+    assertThat(one.get(0).get("module").asText()).isEqualTo("atrv2/raster_search");
+    refused(
+        1,
+        "atrv2/raster_search is at another goal (",
+        "task",
+        "submit",
+        "raster",
+        "--region=" + NEAR);
+    assertPhases(tasks("status"), "IDLE", "RUNNING");
+    assertThat(moves("atrv1")).as("where the other refused").isFalse();
+    assertThat(tasks("cancel", "--robot=atrv2,atrv2")).hasSize(1);
+  }
+}

@@ -1,0 +1,35 @@
+package org.dfra.app.raster;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.behaviors.raster.Region;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.file.WorldXml;
+
+/** A search that is over soon: one robot, three lanes. */
+public final class FewLanes {
+
+  private static final Path ROOT = Path.of(System.getProperty("dfra.root"));
+
+  /** The world in which it is. */
+  public static final Path WORLD = ROOT.resolve("config/worlds/raster.xml");
+
+  private static final Path ROBOT = ROOT.resolve("config/teams/raster/atrv1.xml");
+
+  private FewLanes() {}
+
+  /** Between the field's obstacles, metres east and north: three lanes of 7.5 m. */
+  public static Scenario scenario() throws Exception {
+    WorldDescription world = WorldXml.read(WORLD, name -> null);
+    LocalFrame frame = new LocalFrame(world.datum());
+    List<GeoPosition> corners = new ArrayList<>();
+    for (double[] corner : new double[][] {{11.5, 2.5}, {16.5, 2.5}, {16.5, 10}, {11.5, 10}}) {
+      corners.add(frame.toGeo(new LocalPosition(corner[0], corner[1], 0)));
+    }
+    return new Scenario(world, List.of(ROBOT), Region.of(corners), 2.5, 2);
+  }
+}

@@ -1,0 +1,27 @@
+package org.dfra.app.raster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is told on the way of a search by one robot. */
+public final class ToldMarks implements MissionListener {
+
+  private final List<Mark> marks = new ArrayList<>();
+
+  @Override
+  public void at(List<At> robots) {
+    assertThat(robots).hasSize(1);
+  }
+
+  @Override
+  public void happened(Mark mark) {
+    marks.add(mark);
+  }
+
+  /** All that has happened, in the order in which it was told. */
+  public List<Mark> marks() {
+    return List.copyOf(marks);
+  }
+}

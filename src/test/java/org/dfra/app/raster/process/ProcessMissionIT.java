@@ -1,0 +1,76 @@
+package org.dfra.app.raster.process;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.raster.FewLanes;
+import org.dfra.app.raster.Flight;
+import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.ToldMarks;
+import org.dfra.app.raster.live.Trouble;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** One robot in real processes searches a few lanes while processes are killed. */
+@Timeout(600)
+class ProcessMissionIT {
+
+  /** Robot's time; a search of this region takes some 70 s where nothing goes wrong. */
+  private static final Duration LONGEST = Duration.ofMinutes(7);
+
+  /** The last command of what commands the wheels to their standing. */
+  private static final String STOP =
+      "navigation killed: last command to wheels standing (robot's time)";
+
+  private final ToldMarks told = new ToldMarks();
+  private final Figures figures = new Figures();
+
+  private Flight fly(List<Trouble<FieldRobot>> troubles) throws Exception {
+    return new ProcessMission(
+            FewLanes.scenario(), FewLanes.WORLD, 1, LONGEST, robot -> robot, troubles, figures)
+        .run(told);
+  }
+
+  /**
+   * The group that commands the wheels dies at full speed on a lane, and comes back; then every
+   * registrar and phoenix die, and stay dead.
+   */
+  @Test
+  void finishesItsLanesThoughItsNavigationDiesAndLaterEveryRegistrarAndPhoenix() throws Exception {
+    Trouble<FieldRobot> navigation = new KilledOnLane(0, "navigation", 0.1, true, Trouble.none());
+    Flight flight = fly(List.of(navigation, new CutOff(0, 0.3, CutOff.FOR_GOOD, navigation)));
+
+    RobotFlight robot = flight.robots().get(0);
+    String story = flight.marks() + "; " + robot.ending() + "; " + figures.all();
+    assertThat(robot.completed()).as(story).isTrue();
+    assertThat(flight.marks()).as("as told on the way").isEqualTo(told.marks());
+    assertThat(flight.marks())
+        .extracting(Mark::what)
+        .satisfiesExactly(
+            what -> assertThat(what).startsWith("navigation is killed"),
+            what -> assertThat(what).startsWith("its wheels stand"),
+            what -> assertThat(what).startsWith("it goes on by itself"),
+            what -> assertThat(what).startsWith("its phoenix and its registrar are killed"));
+    assertThat(figure(STOP).measured()).as(story).isBetween(0.05, 0.5);
+    assertThat(figure("navigation killed: waypoints to be driven to again").measured())
+        .as(story)
+        .isZero();
+    assertThat(robot.samples()).hasSizeGreaterThan(300);
+    assertThat(robot.overheard().advice()).isNotEmpty();
+    assertThat(robot.overheard().fixes())
+        .extracting(fix -> fix.receiver())
+        .contains("gps_front", "gps_rear");
+  }
+
+  private Figure figure(String what) {
+    return figures.all().stream()
+        .filter(each -> each.what().equals(what))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError("there is no \"" + what + "\" in " + figures.all()));
+  }
+}

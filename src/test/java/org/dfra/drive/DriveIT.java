@@ -1,0 +1,177 @@
+package org.dfra.drive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.core.query.QueryParser;
+import org.dfra.core.query.QueryVocabulary;
+import org.dfra.directory.ModuleListing;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.sensor.BatterySensor;
+import org.dfra.flow.sensor.OdometrySensor;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Module;
+import org.dfra.robot.LivingPhoenix;
+import org.dfra.testing.TalkingProcess;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A robot's wheels, odometry and battery in one group, a process of its own; whoever dies, the
+ * wheels stand in time.
+ */
+@Timeout(180)
+class DriveIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Velocity AHEAD = new Velocity(1, 0);
+
+  @TempDir Path folder;
+
+  private WheeledRobot robot;
+  private Wheels wheels;
+  private LivingPhoenix phoenix;
+  private DriveEffector drive;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    robot = WheeledRobot.start(folder, "drive", "odometry", "battery");
+    wheels = robot.wheels();
+    phoenix = robot.phoenix();
+    drive = robot.drive();
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    if (robot != null) { // else it has said why, and nothing is left of it
+      robot.close();
+    }
+  }
+
+  private ModuleListing<?> find(String query) throws Exception {
+    return robot
+        .directory()
+        .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), PATIENCE)
+        .orElseThrow();
+  }
+
+  @Test
+  void threeModulesShareOneControllerAndAreFoundByWhatTheyCanDo() throws Exception {
+    ModuleListing<?> counted = find("OdometrySensor with sensor.reading = Odometry");
+    ModuleListing<?> fed = find("BatterySensor");
+    assertThat(find("DriveEffector with drive.length <= 0.8").attributes())
+        .asString()
+        .contains("maxSpeed=1.0", "length=0.78", "width=0.64", "Brake", "Velocity");
+    OdometrySensor odometry = (OdometrySensor) counted.module();
+    BatterySensor battery = (BatterySensor) fed.module();
+    assertThat(odometry.awaitReadiness(PATIENCE).serves()).isTrue();
+    assertThat(battery.awaitReadiness(PATIENCE).serves()).isTrue();
+    try (Commander unused = new Commander(drive, Duration.ofSeconds(10), new Velocity(0.5, 0))) {
+      await().atMost(PATIENCE).until(() -> wheels.distance() > 0.5);
+      await().atMost(PATIENCE).until(() -> odometry.odometry().x() > 0.5);
+      assertThat(odometry.odometry().child()).isEqualTo("eta/base_link");
+      assertThat(battery.battery().voltage()).isBetween(25.19, 25.21);
+    }
+    wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+    for (Module each : List.of(drive, odometry, battery)) {
+      assertThat(each.history().failures()).as("of %s", each).isZero();
+    }
+  }
+
+  @Test
+  void theWheelsStandInTimeWhenTheGroupThatDrivesThemIsKilled() throws Exception {
+    try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      robot.awaitFullSpeed();
+      phoenix.kill("eta.wheels");
+      await().atMost(PATIENCE).until(commander::hasGivenUp);
+      wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+
+      assertThatThrownBy(() -> drive.obey(commander.lease().key(), AHEAD))
+          .as("in the next incarnation, which the call brings back")
+          .isInstanceOf(CommandRefusedException.class);
+      phoenix.note();
+      await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
+    }
+    assertThat(drive.awaitReadiness(PATIENCE).serves()).isTrue();
+    try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      robot.awaitFullSpeed();
+    }
+    wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+  }
+
+  @Test
+  void theWheelsStandInTimeWhenTheirCommanderIsKilledAndAnotherMayCommand() throws Exception {
+    try (TalkingProcess commander = commander("2000")) {
+      assertThat(commander.awaitLine()).isEqualTo("commanding");
+      robot.awaitFullSpeed();
+      assertThatThrownBy(() -> drive.command(Duration.ofSeconds(1)))
+          .isInstanceOf(LeaseRefusedException.class)
+          .hasMessageContaining("eta/drive is commanded by a client at 127.0.0.1 since");
+      ProcessHandle victim = ProcessHandle.of(commander.pid()).orElseThrow();
+      victim.destroyForcibly();
+      await().atMost(PATIENCE).until(() -> !victim.isAlive());
+      wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+    }
+    await().atMost(PATIENCE).until(() -> drive.drive().commander() == null);
+    try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      robot.awaitFullSpeed();
+    }
+  }
+
+  @Test
+  void theWheelsStandInTimeWhenAnAdministratorRevokesTheirCommander() throws Exception {
+    try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      robot.awaitFullSpeed();
+      String listed = dfra("lease", "list", "eta/drive");
+      assertThat(listed.replaceAll(" +", " ")).contains("eta/drive commander 127.0.0.1 ");
+      String row = listed.lines().filter(each -> each.contains("commander")).findFirst().get();
+      String lease = row.substring(row.lastIndexOf(' ') + 1);
+      assertThat(dfra("lease", "revoke", "eta/drive", lease)).startsWith("Revoked lease " + lease);
+      await().atMost(PATIENCE).until(commander::hasGivenUp);
+      wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+      await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
+      assertThat(drive.drive().commander()).isNull();
+    }
+  }
+
+  /** What {@code ./dfra} answers to a question that it can answer. */
+  private String dfra(String... words) throws Exception {
+    WheeledRobot.Said said = robot.ask(words);
+    assertThat(said.status()).as(said.text()).isZero();
+    return said.text();
+  }
+
+  @Test
+  void theWheelsStandInTimeWhenTheGroupThatDrivesThemHangs() throws Exception {
+    try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      robot.awaitFullSpeed();
+      long pid = phoenix.group("eta.wheels").pid();
+      WheeledRobot.signal("STOP", pid);
+      try {
+        wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+        await().atMost(PATIENCE).until(commander::hasGivenUp);
+      } finally {
+        WheeledRobot.signal("CONT", pid);
+      }
+    }
+    await().atMost(PATIENCE).until(() -> drive.drive().commander() == null);
+    wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+  }
+
+  private TalkingProcess commander(String leaseMillis) throws Exception {
+    List<String> command =
+        new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+    command.addAll(List.of(Commander.class.getName(), robot.locator(), leaseMillis));
+    return new TalkingProcess(command);
+  }
+}

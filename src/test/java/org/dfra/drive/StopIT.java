@@ -1,0 +1,166 @@
+package org.dfra.drive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.dfra.core.query.QueryParser;
+import org.dfra.core.query.QueryVocabulary;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.drive.WheeledRobot.Said;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.robot.LivingPhoenix;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code ./dfra stop} halts a robot that drives, whatever else has died, and it stays so. */
+@Timeout(240)
+class StopIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration LEASE = Duration.ofSeconds(10);
+  private static final Velocity AHEAD = new Velocity(1, 0);
+
+  @TempDir Path folder;
+
+  private WheeledRobot robot;
+  private Wheels wheels;
+  private LivingPhoenix phoenix;
+  private DriveEffector drive;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    robot = WheeledRobot.start(folder, "drive");
+    wheels = robot.wheels();
+    phoenix = robot.phoenix();
+    drive = robot.drive();
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    if (robot != null) { // else it has said why, and nothing is left of it
+      robot.close();
+    }
+  }
+
+  private Said stop(String... words) throws Exception {
+    List<String> all = new ArrayList<>(List.of("stop"));
+    all.addAll(List.of(words));
+    return robot.ask(all.toArray(String[]::new));
+  }
+
+  /** Waits until the wheels stand, and prints how long they needed. */
+  private void assertTheyStand(Instant since, String what) {
+    wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+    Instant stood = Objects.requireNonNull(wheels.standingSince(), "they move");
+    System.out.printf(
+        "the wheels stood %.3f s after %s%n", Duration.between(since, stood).toNanos() / 1e9, what);
+  }
+
+  private void assertNobodyCommands() {
+    assertThatThrownBy(() -> drive.command(LEASE))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessageStartingWith("eta/drive is stopped for an emergency since 2")
+        .hasMessageEndingWith("when it is safe, release it: ./dfra stop --release eta");
+  }
+
+  @Test
+  void stopsARobotThatDrivesUntilItIsReleasedAlsoWhereItsProcessIsKilled() throws Exception {
+    try (Commander commander = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+      Instant typed = Instant.now();
+      Said said = stop("--all");
+      assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+      assertTheyStand(typed, "./dfra stop --all was typed");
+      await().atMost(PATIENCE).until(commander::hasGivenUp);
+      await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
+    }
+    assertNobodyCommands();
+    assertThat(stop("eta").text()).startsWith("eta/drive: was stopped already, since 2");
+    assertThat(robot.dfra("status").text())
+        .contains("eta/drive is stopped for an emergency since 2");
+
+    phoenix.kill("eta.wheels");
+    phoenix.note();
+    assertThat(drive.awaitReadiness(PATIENCE).serves()).isTrue();
+    phoenix.note();
+    StopState kept = drive.stopState();
+    assertThat(kept.latched()).as("in the next incarnation").isTrue();
+    assertNobodyCommands();
+    assertThat(robot.dfra("up", robot.xml().toString()).text())
+        .contains("But eta/drive is stopped for an emergency since " + kept.since());
+    ModuleQuery<?> query =
+        new QueryParser(QueryVocabulary.usual()).parse("DriveEffector with stop.latched = true");
+    assertThat(robot.directory().findFirst(query, PATIENCE)).isPresent();
+
+    assertThat(stop("--release", "eta"))
+        .isEqualTo(new Said(0, "eta/drive: released.\n1 effector: 1 released.\n"));
+    assertThat(wheels.speed()).as("releasing moves nothing").isZero();
+    try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+    }
+    wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+  }
+
+  @Test
+  void stopsTheRobotsOfItsHostAlsoWhereNoLookupServiceAnswers() throws Exception {
+    try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+      long pid = phoenix.group("eta.lookup").pid();
+      WheeledRobot.signal("STOP", pid);
+      try {
+        Instant typed = Instant.now();
+        Said said =
+            robot.dfra("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
+        assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+        assertTheyStand(typed, "./dfra stop --all was typed, without a lookup service");
+      } finally {
+        WheeledRobot.signal("CONT", pid);
+      }
+    }
+    assertNobodyCommands();
+  }
+
+  @Test
+  void saysWhomItCouldNotReach() throws Exception {
+    long pid = phoenix.group("eta.wheels").pid();
+    WheeledRobot.signal("STOP", pid);
+    try {
+      Said said = stop("--all");
+      assertThat(said.status()).as(said.text()).isEqualTo(4);
+      assertThat(said.text())
+          .startsWith("eta/drive: NOT STOPPED: ")
+          .endsWith("1 effector: 1 NOT STOPPED. Use the robot's own emergency stop.\n");
+    } finally {
+      WheeledRobot.signal("CONT", pid);
+    }
+    assertThat(stop("theta", "--json").status()).as("there is no such robot").isEqualTo(3);
+    assertThat(stop().status()).as("neither a robot nor --all").isEqualTo(2);
+    assertThat(stop("eta", "--all").status()).as("both").isEqualTo(2);
+  }
+
+  @Test
+  void aProxyStopsTheWheelsAsQuickly() throws Exception {
+    try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+      Instant called = Instant.now();
+      assertThat(drive.emergencyStop("a test").latched()).isTrue();
+      System.out.printf(
+          "the call of emergencyStop took %.3f s%n",
+          Duration.between(called, Instant.now()).toNanos() / 1e9);
+      assertTheyStand(called, "emergencyStop was called");
+    }
+  }
+}

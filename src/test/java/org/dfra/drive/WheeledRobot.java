@@ -1,0 +1,201 @@
+package org.dfra.drive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.module.Readiness;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.robot.LivingPhoenix;
+import org.dfra.testing.TalkingProcess;
+
+/**
+ * The robot eta: emulated wheels, a phoenix of its own, a registrar, and the group {@code wheels}
+ * with the modules that a test wants. Its drive is ready.
+ */
+final class WheeledRobot implements AutoCloseable {
+
+  static final String HOST = "127.0.0.1";
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+  /** What a command has answered. */
+  record Said(int status, String text) {}
+
+  private final Wheels wheels;
+  private final LivingPhoenix phoenix;
+  private final JiniModuleDirectory directory;
+  private final DriveEffector drive;
+  private final String locator;
+  private final Path xml;
+
+  /** What is to be closed, the last first. */
+  private final Deque<AutoCloseable> open;
+
+  private WheeledRobot(Deque<AutoCloseable> open, Path folder, String... modules) throws Exception {
+    this.open = open;
+    wheels = opened(new Wheels());
+    phoenix = opened(LivingPhoenix.start(folder.resolve("phoenix")));
+    int port = FreePorts.next();
+    locator = "jini://" + HOST + ":" + port;
+    xml = Files.writeString(folder.resolve("robot.xml"), described(port, wheels.url(), modules));
+    List<RobotBootstrap.Service> unused =
+        new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
+    phoenix.note();
+    Files.writeString( // as ./dfra up does
+        phoenix.process().state().resolve("phoenix.address"),
+        phoenix.process().host() + ":" + phoenix.process().port());
+    directory = opened(new JiniModuleDirectory(HOST, List.of(), List.of(locator)));
+    drive = directory.find(DriveEffector.class, PATIENCE).orElseThrow();
+    assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
+  }
+
+  /**
+   * Brings it up, or leaves nothing behind.
+   *
+   * @param folder of this test alone
+   * @param modules of the controller: {@code drive}, and {@code odometry}, {@code battery}
+   */
+  static WheeledRobot start(Path folder, String... modules) throws Exception {
+    Deque<AutoCloseable> open = new ArrayDeque<>();
+    try {
+      return new WheeledRobot(open, folder, modules);
+    } catch (Exception | AssertionError e) {
+      try {
+        close(open);
+      } catch (Exception left) {
+        e.addSuppressed(left);
+      }
+      throw e;
+    }
+  }
+
+  private <C extends AutoCloseable> C opened(C each) {
+    open.push(each);
+    return each;
+  }
+
+  private static String described(int port, String link, String... modules) {
+    String properties = System.getProperty("dfra.root") + "/config/modules/rflex-%s.properties";
+    return """
+        <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
+          <group name="lookup"><registrar port="%d"/></group>
+          <group name="wheels">
+        %s
+          </group>
+        </robot>
+        """
+        .formatted(
+            port,
+            Arrays.stream(modules)
+                .map(
+                    name ->
+                        """
+                        <module name="%s" properties="%s">
+                          <parameter name="link" value="%s"/>
+                        </module>
+                        """
+                            .formatted(name, properties.formatted(name), link))
+                .collect(Collectors.joining()));
+  }
+
+  Wheels wheels() {
+    return wheels;
+  }
+
+  LivingPhoenix phoenix() {
+    return phoenix;
+  }
+
+  JiniModuleDirectory directory() {
+    return directory;
+  }
+
+  DriveEffector drive() {
+    return drive;
+  }
+
+  /** That of its registrar. */
+  String locator() {
+    return locator;
+  }
+
+  /** Its description. */
+  Path xml() {
+    return xml;
+  }
+
+  void awaitFullSpeed() {
+    await().atMost(PATIENCE).until(() -> wheels.speed() > 0.9);
+  }
+
+  /** Sends a signal to the process of a group. */
+  void signal(String name, String group) throws Exception {
+    signal(name, phoenix.group(group).pid());
+  }
+
+  /** Sends a signal to a process. */
+  static void signal(String name, long pid) throws Exception {
+    Process kill = new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start();
+    assertThat(kill.waitFor()).isZero();
+  }
+
+  /** What {@code ./dfra} answers that knows the robots of this phoenix, and no others. */
+  Said dfra(String... words) throws Exception {
+    List<String> command =
+        new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+    command.add("org.dfra.app.Main");
+    command.addAll(List.of(words));
+    command.add("--state=" + phoenix.process().state());
+    ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+    builder.environment().keySet().removeAll(List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST"));
+    Process asked = builder.start();
+    String text = new String(asked.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return new Said(asked.waitFor(), text);
+  }
+
+  /** The same of a command that looks for robots: by this robot's registrar alone. */
+  Said ask(String... words) throws Exception {
+    return dfra(
+        Stream.concat(Arrays.stream(words), Stream.of("--team=", "--host=" + HOST, "--wait=20"))
+            .toArray(String[]::new));
+  }
+
+  @Override
+  public void close() throws Exception {
+    close(open);
+  }
+
+  /** Closes all, also where one cannot be. */
+  private static void close(Deque<AutoCloseable> open) throws Exception {
+    Exception failure = null;
+    while (!open.isEmpty()) {
+      try {
+        open.pop().close();
+      } catch (Exception e) { // the others must end too
+        if (failure == null) {
+          failure = e;
+        } else {
+          failure.addSuppressed(e);
+        }
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+}

@@ -1,0 +1,75 @@
+package org.dfra.drive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Objects;
+import org.dfra.sim.body.BatteryBody.Charge;
+import org.dfra.sim.body.WheelsOnBlocks;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.drive.RflexDevice;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An emulated rFLEX controller behind a TCP port, its wheels on blocks. Times are the controller's
+ * own: when a command came to it, and since when the wheels stand by the laws of motion, whenever
+ * anybody looks.
+ */
+final class Wheels implements AutoCloseable {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final InstantSource CLOCK = InstantSource.system();
+
+  private final WheelsOnBlocks body = new WheelsOnBlocks(CLOCK.instant());
+  private final RflexDevice controller = new RflexDevice(body, time -> new Charge(25.2, 2, 0.75));
+  private final DeviceEmulator emulator = new DeviceEmulator("rflex", 0, controller, CLOCK);
+
+  Wheels() throws IOException {
+    emulator.start();
+  }
+
+  String url() {
+    return emulator.url();
+  }
+
+  /** Metres per second. */
+  double speed() {
+    return body.travel(CLOCK.instant()).speed();
+  }
+
+  /** Metres forward since the beginning. */
+  double distance() {
+    return body.travel(CLOCK.instant()).distance();
+  }
+
+  /** When the last command came that was no halt. */
+  Instant lastMotion() {
+    return Objects.requireNonNull(controller.lastMotion(), "no command has come");
+  }
+
+  /** Waits until nobody has commanded for a second and the wheels stand. */
+  void assertTheyStoodWithinHalfASecondOfTheLastCommand() {
+    await()
+        .atMost(PATIENCE)
+        .until(
+            () -> CLOCK.instant().isAfter(lastMotion().plusSeconds(1)) && standingSince() != null);
+    Duration stood =
+        Duration.between(lastMotion(), Objects.requireNonNull(standingSince(), "they move"));
+    System.out.printf("the wheels stood %.3f s after the last command%n", stood.toNanos() / 1e9);
+    assertThat(stood).isLessThanOrEqualTo(Duration.ofMillis(500));
+  }
+
+  /** Since when they stand; null while they turn. */
+  @Nullable Instant standingSince() {
+    return body.standingSince(CLOCK.instant());
+  }
+
+  @Override
+  public void close() {
+    emulator.close();
+  }
+}

@@ -1,0 +1,84 @@
+package org.dfra.example.patrol;
+
+import java.rmi.RemoteException;
+import java.util.Optional;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.FollowWaypoints;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behavior.PathGoal;
+import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.behavior.Delegation;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
+import org.dfra.geometry.GeoPosition;
+
+/** Goes round a path. Parameter {@code rounds}: how often, 1 to 1000; default 3. */
+public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWaypoints {
+
+  private final Needed<GoToWaypoint> goTo;
+  private final int rounds;
+
+  public PatrolImpl(ModuleContext context) {
+    super(context, "goes round a path again and again", "you", "1", PathGoal.class, 5);
+    this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
+    this.rounds = (int) settings().number("rounds", 3, 1, 1000);
+  }
+
+  @Override
+  protected Pursuit begin(PathGoal goal) {
+    goTo.now(); // refuses where there is none, before anything moves
+    return new Patrol(goal);
+  }
+
+  /** One goal: so many legs. */
+  private final class Patrol implements Pursuit {
+
+    private final PathGoal goal;
+    private final int legs;
+    private final Delegation<LegGoal, GoToWaypoint> leg =
+        new Delegation<>(path(), goTo, errands(), log);
+    private int driven;
+
+    Patrol(PathGoal goal) {
+      this.goal = goal;
+      this.legs = rounds * goal.waypoints().size();
+    }
+
+    @Override
+    public Progress step() throws RemoteException {
+      Optional<BehaviorStatus> driving = leg.status();
+      if (driving.isEmpty()) {
+        GeoPosition next = goal.waypoints().get(driven % goal.waypoints().size());
+        leg.begin(new LegGoal(null, next, goal.tolerance()));
+        return going("it sets out");
+      }
+      BehaviorStatus status = driving.get();
+      switch (status.phase()) {
+        case SUCCEEDED:
+          leg.forget();
+          driven++;
+          return driven == legs ? Progress.reached("the patrol is over") : going("it is there");
+        case FAILED:
+          return Progress.failed(status.doing(), (double) driven / legs);
+        case CANCELLED:
+          return Progress.cancelled(status.doing(), (double) driven / legs);
+        default:
+          return going(status.doing());
+      }
+    }
+
+    private Progress going(String doing) {
+      return Progress.going(
+          "leg " + Math.min(legs, driven + 1) + " of " + legs + ": " + doing,
+          (double) driven / legs);
+    }
+
+    @Override
+    public void rest() {
+      leg.end();
+    }
+  }
+}

@@ -1,0 +1,265 @@
+package org.dfra.slice;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import net.jini.core.event.RemoteEvent;
+import net.jini.core.event.UnknownEventException;
+import org.dfra.agent.AgentMessage;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.directory.Condition;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Watch;
+import org.dfra.persona.RecruitmentAttributes;
+import org.dfra.recruit.affect.Stimulus;
+import org.dfra.recruit.message.Conversation;
+import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.RecruitmentMessage;
+import org.dfra.recruit.message.RecruitmentMessage.Help;
+import org.dfra.recruit.message.RecruitmentMessage.Release;
+import org.dfra.recruit.requester.Bid;
+import org.dfra.recruit.river.LetterEvent;
+import org.dfra.recruit.river.RecruitmentAgentProxy;
+import org.dfra.recruit.river.RemoteRecruitmentAgent;
+import org.dfra.recruit.strategy.RecruitmentStrategy;
+import org.dfra.testing.EmbeddedReggie;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Two agents as the properties that come with DFRA describe them, found in a lookup service: one
+ * asks, the other comes by its robot's own behaviours.
+ */
+@Timeout(240)
+class RecruitmentAgentsTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
+
+  @TempDir Path folder;
+
+  private ServedRobots robots;
+
+  @BeforeEach
+  void begin() throws Exception {
+    robots = new ServedRobots(folder, REGGIE, PATIENCE);
+    robots.serveSmallRobot();
+    robots.serve(
+        "agent",
+        "recruitment-agent",
+        Map.of("percepts", "mine,heat", "tolerance", "0.6", "speed", "0.7"));
+    robots.serve("uav", "agent", "recruitment-agent", Map.of());
+  }
+
+  @AfterEach
+  void end() {
+    robots.close();
+  }
+
+  /** The agent by the network, as anybody has it who is elsewhere. */
+  private RecruitmentAgentProxy far(String query) throws Exception {
+    RecruitmentAgentProxy near = (RecruitmentAgentProxy) robots.find(query).module();
+    RecruitmentAgentProxy far =
+        new RecruitmentAgentProxy(near.server(), UUID.randomUUID(), near.identification());
+    assertThat(far.awaitReadiness(PATIENCE).serves()).isTrue();
+    return far;
+  }
+
+  private static HelpCall call(String percept, double east, Duration stay) {
+    return new HelpCall(percept, SmallRobot.at(east, 0), stay, Duration.ofMinutes(2));
+  }
+
+  /** As soon as the caller's own directory knows the other, and the other where it is. */
+  private static void help(RecruitmentAgent asking, HelpCall call) {
+    await()
+        .atMost(PATIENCE)
+        .ignoreExceptionsMatching(
+            e ->
+                e instanceof HelpRefusedException
+                    && String.valueOf(e.getMessage()).contains("nobody in reach"))
+        .until(
+            () -> {
+              asking.help(call);
+              return true;
+            });
+  }
+
+  @Test
+  void oneAsksTheOtherComesStaysAndIsReleased() throws Exception {
+    RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
+    RecruitmentAgentProxy helping = far("RecruitmentAgent with recruitment.percepts contains mine");
+    assertThat(helping.identification().robot()).isEqualTo("robot");
+    List<RecruitmentStatus> asked = ServedRobots.heard(asking, RecruitmentStatus.class);
+    List<RecruitmentStatus> helped = ServedRobots.heard(helping, RecruitmentStatus.class);
+
+    help(asking, call("mine", 4, Duration.ofMinutes(5)));
+    assertThatThrownBy(() -> asking.help(call("mine", 2, Duration.ofSeconds(5))))
+        .isInstanceOf(HelpRefusedException.class)
+        .hasMessageStartingWith("uav already calls for help");
+    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.DONE);
+    assertThat(asking.status().helper()).isEqualTo("robot");
+    assertThat(helping.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(helping.status().helped()).isEqualTo("uav");
+    assertThat(SmallRobot.east()).isCloseTo(4, within(1.0));
+
+    asking.release();
+    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.IDLE);
+    assertThat(helping.status().helped()).isNull();
+    await().atMost(PATIENCE).until(() -> last(helped).responder() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> last(asked).requester() == RequesterPhase.IDLE);
+    assertThat(helped.stream().map(RecruitmentStatus::responder).distinct())
+        .containsSubsequence(
+            ResponderPhase.OFFERED, ResponderPhase.TRAVELLING, ResponderPhase.LEASED);
+    assertThat(asked.stream().map(RecruitmentStatus::requester).distinct())
+        .containsSubsequence(RequesterPhase.CALLING, RequesterPhase.AWARDED, RequesterPhase.DONE);
+    assertThat(last(helped).urge()).as("it has atoned").isZero();
+  }
+
+  @Test
+  void theLeaseEndsByItself() throws Exception {
+    RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
+    RecruitmentAgentProxy helping = far("RecruitmentAgent with recruitment.percepts contains heat");
+    help(asking, call("heat", 0.2, Duration.ofSeconds(4)));
+    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.LEASED);
+    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.IDLE);
+  }
+
+  @Test
+  void whatCannotBeCrossesTheNetworkAsItself() throws Exception {
+    RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () ->
+                assertThatThrownBy(() -> asking.help(call("gold", 1, Duration.ofSeconds(5))))
+                    .isInstanceOf(HelpRefusedException.class)
+                    .hasMessage(
+                        "nobody in reach of uav can observe \"gold\"; others observe heat, mine"));
+    Strange strange = new Strange("uav", 1);
+    assertThatThrownBy(() -> asking.receive(strange))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("uav/agent takes letters of recruitment, not");
+    asking.receive(
+        new Letter(
+            "robot",
+            1,
+            Instant.now(),
+            new Release(new Conversation("nobody", 1), "it is meant for somebody else", false)));
+    assertThat(asking.status().requester()).isEqualTo(RequesterPhase.IDLE);
+  }
+
+  /** A message of another kind of agents. */
+  private record Strange(String sender, long number) implements AgentMessage {}
+
+  @Test
+  void anEventOfAnotherKindIsUnknown() throws Exception {
+    RemoteRecruitmentAgent server =
+        (RemoteRecruitmentAgent) far("RecruitmentAgent on uav").server();
+    assertThatThrownBy(() -> server.notify(new RemoteEvent("robot", LetterEvent.LETTER, 1, null)))
+        .isInstanceOf(UnknownEventException.class)
+        .hasMessage("uav/agent takes letters of agents, not " + RemoteEvent.class.getName());
+  }
+
+  @Test
+  void lettersAreRemoteEventsWhoseNumbersGrow() throws Exception {
+    RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
+    BlockingQueue<RemoteEvent> come = new LinkedBlockingQueue<>();
+    try (Eavesdropper other = Eavesdropper.observing("gas", REGGIE, come::add)) {
+      help(asking, call("gas", 4, Duration.ofSeconds(5)));
+      LetterEvent first = (LetterEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+      assertThat(first).as("%s is told of the call", other).isNotNull();
+      assertThat(first.getSource()).isEqualTo("uav");
+      assertThat(first.getID()).isEqualTo(LetterEvent.LETTER);
+      assertThat(message(first)).isInstanceOf(Help.class);
+      asking.release();
+      LetterEvent last = first;
+      while (!(message(last) instanceof Release)) { // HELP may have been repeated
+        LetterEvent next = (LetterEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+        assertThat(next).as("after %s", message(last)).isNotNull();
+        assertThat(next.getSequenceNumber()).isGreaterThan(last.getSequenceNumber());
+        assertThat(next.getSequenceNumber()).isEqualTo(next.letter().number());
+        last = next;
+      }
+    }
+  }
+
+  private static RecruitmentMessage message(LetterEvent event) {
+    return ((Letter) event.letter()).message();
+  }
+
+  @Test
+  void othersAreAnnouncedAsTheyAppear() throws Exception {
+    List<String> come = new CopyOnWriteArrayList<>();
+    ModuleQuery<RecruitmentAgent> heat =
+        ModuleQuery.of(RecruitmentAgent.class)
+            .where(RecruitmentAttributes.class, "percepts", Condition.contains("heat"));
+    try (Watch watch = robots.directory().listen(heat, listing -> come.add(listing.robot()))) {
+      await().atMost(PATIENCE).until(() -> come.contains("robot"));
+      robots.serve("other", "agent", "recruitment-agent", Map.of("percepts", "heat"));
+      await().atMost(PATIENCE).until(() -> come.contains("other"));
+      assertThat(come).as("the UAV observes nothing; %s", watch).doesNotContain("uav");
+    }
+  }
+
+  /** As a user writes one, and names it in the agent's properties. */
+  public static final class Courteous implements RecruitmentStrategy {
+
+    @Override
+    public String name() {
+      return "courteous";
+    }
+
+    @Override
+    public boolean answers(Stimulus stimulus) {
+      return true;
+    }
+
+    @Override
+    public Bid choose(List<Bid> bids) {
+      return RecruitmentStrategy.nearest(bids);
+    }
+  }
+
+  @Test
+  void aStrategyIsTakenByItsClassAndAnUnknownOneIsRefusedWhileOthersGoOn() throws Exception {
+    String written = Courteous.class.getName().replace("$", "$$"); // one is of a variable
+    robots.serve("third", "agent", "recruitment-agent", Map.of("strategy", written));
+    RecruitmentAgentProxy third = far("RecruitmentAgent with recruitment.strategy = courteous");
+    assertThat(third.identification().robot()).isEqualTo("third");
+    assertThatThrownBy(
+            () -> robots.serve("fourth", "agent", "recruitment-agent", Map.of("strategy", "gredy")))
+        .hasMessageContaining("there is no strategy \"gredy\"; did you mean \"greedy\"?");
+    RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
+    help(asking, call("mine", 0.2, Duration.ofMinutes(5)));
+    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.DONE);
+    assertThat(asking.status().helper()).isEqualTo("robot");
+  }
+
+  private static RecruitmentStatus last(List<RecruitmentStatus> all) {
+    return all.get(all.size() - 1);
+  }
+}
