@@ -33,13 +33,15 @@ allprojects {
         listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$rootDir")
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
-    val seed = providers.gradleProperty("dfra.seed").getOrElse("")
+    val seed = providers.gradleProperty("dfra.seed").getOrElse("2004") // as in pom.xml
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
         group = "dfra"
         dependsOn(activationJar)
         useJUnitPlatform()
         include("**/*Test.class", "**/*IT.class")
+        // Much of a test's time is waiting, for leases, devices and processes; src/test loads the computer by itself.
+        maxParallelForks = if (project == rootProject) 1 else 2
         jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
@@ -56,11 +58,12 @@ allprojects {
 dependencies {
     testCompileOnly(project(":dfra-activation"))
     testImplementation(project(":dfra-app"))
+    testImplementation(project(":dfra-recruit"))
     testImplementation(rootProject.libs.reggie)
     testImplementation(rootProject.libs.archunit)
 }
 
-tasks.test { dependsOn(":dfra-river:dlJar", ":dfra-app:lib") }
+tasks.test { dependsOn(":dfra-river:dlJar", ":dfra-recruit:dlJar", ":dfra-app:lib") }
 
 val app = project(":dfra-app")
 val appLib = app.layout.buildDirectory.dir("lib")
@@ -86,7 +89,7 @@ fun JavaExec.runsDfra(what: String, vararg arguments: String) {
 
 tasks.register<JavaExec>("demo") {
     val name = providers.gradleProperty("demo").orNull
-    runsDfra("Runs the newest demonstration, or the one named by -Pdemo=<name>.", *listOfNotNull("demo", name).toTypedArray())
+    runsDfra("Runs the raster demonstration, or the one named by -Pdemo=<name>.", *listOfNotNull("demo", name).toTypedArray())
 }
 
 tasks.register<JavaExec>("up") {
