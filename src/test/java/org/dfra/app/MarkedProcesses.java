@@ -46,11 +46,10 @@ final class MarkedProcesses implements AutoCloseable {
     command.addAll(List.of(arguments));
     Path out = mark.resolveSibling("dfra.out");
     Path err = mark.resolveSibling("dfra.err");
-    Process process =
-        new ProcessBuilder(command)
-            .redirectOutput(out.toFile())
-            .redirectError(err.toFile())
-            .start();
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectOutput(out.toFile()).redirectError(err.toFile());
+    builder.environment().put("DFRA_WAIT", "20"); // where nothing is missing it is not used up
+    Process process = builder.start();
     if (!process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS)) {
       close();
       throw new AssertionError(

@@ -93,8 +93,7 @@ class TalkVerbsIT {
   }
 
   private String[] asked(String... words) {
-    return Stream.concat(
-            Arrays.stream(words), Stream.of("--team=", "--host=127.0.0.1", "--wait=20", state()))
+    return Stream.concat(Arrays.stream(words), Stream.of("--team=", "--host=127.0.0.1", state()))
         .toArray(String[]::new);
   }
 

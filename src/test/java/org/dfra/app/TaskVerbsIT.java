@@ -128,7 +128,7 @@ class TaskVerbsIT {
         PATIENCE,
         Stream.concat(
                 Arrays.stream(words),
-                Stream.of("--team=", "--locator=", "--host=127.0.0.1", "--wait=20", state()))
+                Stream.of("--team=", "--locator=", "--host=127.0.0.1", state()))
             .toArray(String[]::new));
   }
 

@@ -6,6 +6,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -14,6 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
 import net.jini.config.ConfigurationException;
@@ -223,6 +227,72 @@ class JiniModuleDirectoryTest extends DirectoryContract {
             InstantSource.system())) {
       assertThat(both.find(GPSSensor.class, Duration.ofSeconds(5))).isPresent();
     }
+  }
+
+  @Test
+  void theFirstLookAwaitsALookupServiceThatWasFoundAndIsBeingRead() throws Exception {
+    CountDownLatch read = new CountDownLatch(1);
+    list("r", "gps", 1);
+    try (JiniModuleDirectory slow = slow(Duration.ofSeconds(30), read)) {
+      await().until(() -> slow.registrars() == 1);
+      CompletableFuture<List<String>> look = firstLook(slow);
+      await()
+          .during(Duration.ofMillis(200))
+          .atMost(Duration.ofSeconds(5))
+          .until(() -> !look.isDone());
+      read.countDown();
+      assertThat(look.get(10, TimeUnit.SECONDS)).isEmpty();
+      assertThat(slow.find(ModuleQuery.of(GPSSensor.class))).hasSize(1);
+    }
+  }
+
+  @Test
+  void theFirstLookDoesNotAwaitALookupServiceThatHasFallenSilent() throws Exception {
+    CountDownLatch read = new CountDownLatch(1);
+    try (JiniModuleDirectory slow = slow(Duration.ofMillis(300), read)) {
+      await().until(() -> slow.registrars() == 1);
+      assertThat(firstLook(slow).get(10, TimeUnit.SECONDS))
+          .containsExactly(reggies.get(0).locator() + "/");
+      read.countDown();
+    }
+  }
+
+  private static CompletableFuture<List<String>> firstLook(JiniModuleDirectory directory) {
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try {
+            return directory.awaitFirstLook(Duration.ZERO);
+          } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+          }
+        });
+  }
+
+  /** A directory whose reader of the lookup service stands still until it may go on. */
+  private JiniModuleDirectory slow(Duration silence, CountDownLatch read) throws Exception {
+    InstantSource clock =
+        () -> {
+          if (Thread.currentThread().getName().startsWith("dfra-registrar-")) {
+            try {
+              read.await();
+            } catch (InterruptedException e) {
+              Thread.currentThread().interrupt();
+            }
+          }
+          return Instant.now();
+        };
+    DirectorySettings usual = settings(List.of(reggies.get(0).locator()));
+    return new JiniModuleDirectory(
+        new DirectorySettings(
+            usual.host(),
+            usual.groups(),
+            usual.locators(),
+            usual.locatorRetry(),
+            usual.heartbeat(),
+            silence,
+            usual.reconcile(),
+            usual.eventLease()),
+        clock);
   }
 
   @Test

@@ -28,6 +28,8 @@ class DistIT {
             "127.0.0.1",
             "DFRA_TEAM",
             "dist-" + UUID.randomUUID(),
+            "DFRA_WAIT",
+            "20",
             "DFRA_ATRV1_REGISTRAR_PORT",
             Integer.toString(FreePorts.next()),
             "DFRA_ATRV1_CLASS_PORT",

@@ -10,11 +10,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.app.demo.stage.SimulatedField;
@@ -166,8 +166,12 @@ class TwoSearchersIT {
     Map<String, String> before = hosts.get(0).list();
     assertThat(before).hasSize(2 * modules("atrv1")).isEqualTo(hosts.get(1).list());
     assertThat(before.values()).allMatch(each -> each.endsWith("/fresh"));
-    assertThat(hosts.get(0).ask("gaps atrv1") + hosts.get(1).ask("gaps atrv2"))
-        .doesNotContain("was out of reach for");
+    for (RobotHost host : hosts) {
+      // On a busy machine a robot may stand still for some seconds, which is told as a gap too.
+      assertThat(longestGap(host).map(Gap::seconds).orElse(0L))
+          .as(host.ask("gaps " + host.robot()))
+          .isLessThan(CUT.toSeconds() / 2);
+    }
 
     double[] doneBefore = {done(hosts.get(0)), done(hosts.get(1))};
     long cut = System.nanoTime();
@@ -213,18 +217,36 @@ class TwoSearchersIT {
   private static void assertGap(RobotHost host, String other, long seconds) throws Exception {
     patiently().until(() -> host.ask("heard " + other).endsWith(" listening"));
     patiently().until(() -> heard(host, other, 1) > 0);
-    patiently().until(() -> GAP.matcher(host.ask("gaps " + host.robot())).find());
-    String told = host.ask("gaps " + host.robot());
+    patiently()
+        .untilAsserted(
+            () ->
+                assertThat(longestGap(host).map(Gap::seconds).orElse(0L))
+                    .as(host.ask("gaps " + host.robot()))
+                    .isGreaterThanOrEqualTo(seconds - 1));
+    Gap gap = longestGap(host).orElseThrow();
     System.out.printf(
         "%s tells: %s; the client beside it received, lost of its search: %s%n",
-        host.robot(), told, host.ask("heard " + other));
-    Matcher gap = GAP.matcher(told);
-    assertThat(gap.find()).isTrue();
-    assertThat(gap.group(1)).isEqualTo(other);
-    assertThat(Long.parseLong(gap.group(2))).as(told).isGreaterThanOrEqualTo(seconds - 1);
+        host.robot(), gap.told(), host.ask("heard " + other));
+    assertThat(gap.robot()).isEqualTo(other);
     // Poses come ten times a second; on a busy machine fewer.
-    assertThat(Long.parseLong(gap.group(3))).as(told).isGreaterThan(seconds);
+    assertThat(gap.missed()).as(gap.told()).isGreaterThan(seconds);
     patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" heard"));
+  }
+
+  /** A gap that is over, as a robot tells it. */
+  private record Gap(String robot, long seconds, long missed, String told) {}
+
+  private static Optional<Gap> longestGap(RobotHost host) throws Exception {
+    return GAP.matcher(host.ask("gaps " + host.robot()))
+        .results()
+        .map(
+            each ->
+                new Gap(
+                    each.group(1),
+                    Long.parseLong(each.group(2)),
+                    Long.parseLong(each.group(3)),
+                    each.group()))
+        .max(Comparator.comparingLong(Gap::seconds));
   }
 
   /** Each robot's measure of the other's clock against what was set. */

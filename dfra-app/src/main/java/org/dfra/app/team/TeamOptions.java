@@ -34,6 +34,9 @@ public final class TeamOptions {
   /** What is asked by multicast unless something else is said. */
   static final String TEAM = "field";
 
+  /** How long answers are awaited unless something else is said, seconds. */
+  private static final String WAIT = "2";
+
   @Option(
       names = "--team",
       paramLabel = "GROUPS",
@@ -60,8 +63,8 @@ public final class TeamOptions {
   @Option(
       names = "--wait",
       paramLabel = "SECONDS",
-      description = "How long to wait for answers (default ${DEFAULT-VALUE}).")
-  private double wait = 2;
+      description = "How long to wait for answers (default: DFRA_WAIT, or 2).")
+  private @Nullable Double wait;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -117,11 +120,27 @@ public final class TeamOptions {
 
   /** How long answers are awaited. */
   public Duration patience() {
-    if (!(wait >= 0 && wait <= 3600)) {
-      throw new ParameterException(
-          spec.commandLine(), "--wait=" + wait + " is not a number of seconds from 0 to 3600");
+    if (wait != null) {
+      return seconds(wait, "--wait=" + wait);
     }
-    return Duration.ofNanos((long) (wait * 1e9));
+    String variable = either(null, "DFRA_WAIT", WAIT);
+    try {
+      return seconds(Double.parseDouble(variable), "DFRA_WAIT=" + variable);
+    } catch (NumberFormatException e) {
+      throw noDuration("DFRA_WAIT=" + variable);
+    }
+  }
+
+  private Duration seconds(double seconds, String source) {
+    if (!(seconds >= 0 && seconds <= 3600)) {
+      throw noDuration(source);
+    }
+    return Duration.ofNanos((long) (seconds * 1e9));
+  }
+
+  private ParameterException noDuration(String source) {
+    return new ParameterException(
+        spec.commandLine(), source + " is not a number of seconds from 0 to 3600");
   }
 
   /** The discovery groups that are asked by multicast; none if empty. */

@@ -118,23 +118,32 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   /**
    * Waits until everything at hand has been looked at once: at every locator a lookup service was
-   * found and what it holds was read. Multicast never says that everybody has answered, so with
-   * groups this always takes as long as it may.
+   * found and what it holds was read. One that was found in time is read to the end, unless it
+   * falls silent for {@link DirectorySettings#silence}. Multicast never says that everybody has
+   * answered, so with groups this always takes as long as it may.
    *
+   * @param patience how long lookup services may take to be found
    * @return the locators at which no lookup service was read meanwhile
    */
   public List<String> awaitFirstLook(Duration patience) throws InterruptedException {
     long end = System.nanoTime() + patience.toNanos();
+    long readEnd = end + settings.silence().toNanos();
     synchronized (watches) {
-      List<String> missing = unread();
-      long left = end - System.nanoTime();
-      while (left > 0 && !closed && !(missing.isEmpty() && settings.groups().isEmpty())) {
+      while (true) {
+        List<String> missing = unread();
+        boolean isAllAsked = missing.isEmpty() && settings.groups().isEmpty();
+        long left = (isAnyBeingRead() ? readEnd : end) - System.nanoTime();
+        if (left <= 0 || closed || isAllAsked) {
+          return missing;
+        }
         TimeUnit.NANOSECONDS.timedWait(watches, left);
-        missing = unread();
-        left = end - System.nanoTime();
       }
-      return missing;
     }
+  }
+
+  /** Holds the watches' lock. */
+  private boolean isAnyBeingRead() {
+    return watches.values().stream().anyMatch(watch -> !watch.isRead());
   }
 
   /** The locators at which no lookup service was read. Holds the watches' lock. */
@@ -194,6 +203,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private void lost(RegistrarWatch watch) {
     synchronized (watches) {
       watches.remove(watch.registrar().getServiceID(), watch);
+      watches.notifyAll();
     }
     discovery.discard(watch.registrar()); // and look for it again
   }
