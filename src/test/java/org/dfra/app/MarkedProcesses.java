@@ -8,7 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.dfra.river.bootstrap.JvmCommand;
 
@@ -23,6 +25,7 @@ final class MarkedProcesses implements AutoCloseable {
 
   private final Path mark;
   private final List<String> options;
+  private final Map<String, String> environment = new HashMap<>();
 
   /**
    * @param folder a folder of this test alone
@@ -31,6 +34,13 @@ final class MarkedProcesses implements AutoCloseable {
   MarkedProcesses(Path folder, String... options) {
     this.mark = folder.resolve("mark");
     this.options = List.of(options);
+    environment.put("DFRA_WAIT", "20"); // where nothing is missing it is not used up
+  }
+
+  /** Sets a variable of the processes that are started from now on. */
+  MarkedProcesses set(String variable, String value) {
+    environment.put(variable, value);
+    return this;
   }
 
   /** Runs {@code ./dfra} with these arguments, without the script. */
@@ -48,7 +58,7 @@ final class MarkedProcesses implements AutoCloseable {
     Path err = mark.resolveSibling("dfra.err");
     ProcessBuilder builder =
         new ProcessBuilder(command).redirectOutput(out.toFile()).redirectError(err.toFile());
-    builder.environment().put("DFRA_WAIT", "20"); // where nothing is missing it is not used up
+    builder.environment().putAll(environment);
     Process process = builder.start();
     if (!process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS)) {
       close();

@@ -194,6 +194,26 @@ class RobotVerbsIT {
     }
   }
 
+  @Test
+  void theTimeToWaitIsReadFromTheEnvironment() throws Exception {
+    try (MarkedProcesses processes = new MarkedProcesses(folder)) {
+      String locator = "--locator=127.0.0.1:" + FreePorts.next();
+      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"));
+      processes.set("DFRA_WAIT", "soon");
+      verbs.fails(
+          2,
+          "DFRA_WAIT=soon is not a number of seconds from 0 to 3600",
+          "module",
+          "list",
+          "--team=",
+          locator);
+      verbs.fails(
+          3, "no lookup service answers", "module", "list", "--team=", locator, "--wait=0.1");
+      processes.set("DFRA_WAIT", "0.1");
+      verbs.fails(3, "no lookup service answers", "module", "list", "--team=", locator);
+    }
+  }
+
   /** Runs commands on one state folder. */
   private record Verbs(MarkedProcesses processes, String state) {
 

@@ -62,7 +62,8 @@ final class WrongUse implements IParameterExceptionHandler {
   private static String inOurWords(String message) {
     Matcher value = VALUE.matcher(message);
     if (!value.matches()) {
-      return message.isEmpty()
+      boolean isName = message.matches("\\p{Lu}{2}.*"); // of a variable
+      return message.isEmpty() || isName
           ? message
           : message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1);
     }
