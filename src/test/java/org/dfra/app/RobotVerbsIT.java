@@ -125,7 +125,7 @@ class RobotVerbsIT {
           "t1/warmt",
           "celsius",
           "--team=",
-          "--wait=0.5");
+          "--wait=5");
       verbs.fails(
           3,
           "the module has no method celsiu; did you mean \"celsius\"?",

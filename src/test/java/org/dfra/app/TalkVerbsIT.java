@@ -181,7 +181,9 @@ class TalkVerbsIT {
     assertThat(nothing.err().strip())
         .isEqualTo("dfra: the module told nothing; see how it is: ./dfra module list");
     assertThat(ask("event", "echo", GPS, "--depth=0").exit()).isEqualTo(2);
-    assertThat(said("lease", "list")).as("all of them gave their leases back").contains("Nobody");
+    await("all of them gave their leases back")
+        .atMost(PATIENCE)
+        .untilAsserted(() -> assertThat(said("lease", "list")).contains("Nobody"));
   }
 
   @Test
@@ -205,8 +207,12 @@ class TalkVerbsIT {
     assertThat(living).hasSize(1);
     assertThat(living.get(0).destroy()).isTrue(); // SIGTERM; Ctrl-C ends a JVM the same way
     assertThat(interrupted.get().exit()).isEqualTo(143);
-    assertThat(said("lease", "list", GPS))
-        .isEqualToIgnoringNewLines("Nobody holds a lease on " + GPS + ".");
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () ->
+                assertThat(said("lease", "list", GPS))
+                    .isEqualToIgnoringNewLines("Nobody holds a lease on " + GPS + "."));
   }
 
   /**

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 /** A directory with modules before it, by whatever means. */
 abstract class DirectoryFixture {
 
-  static final Duration PATIENCE = Duration.ofSeconds(10);
+  static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** A directory together with the means to put modules before it. */
   interface Stage extends AutoCloseable {

@@ -78,6 +78,7 @@ class TutorialIT {
         + ("root='" + Documents.ROOT + "' home='" + System.getProperty("java.home") + "'\n")
         + ("lib='" + folder.resolve("lib") + "' boot='" + System.getProperty("dfra.boot") + "'\n")
         + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
+        + "export DFRA_WAIT=20\n" // a module that is named is not awaited once it is found
         + ("[ $1 != up ] || set -- \"$@\" --port " + phoenixPort + " --registry-port -1\n")
         + "launch \"$root\" \"$lib\" \"$boot\" ./dfra \"$@\"\n";
   }

@@ -9,7 +9,6 @@ import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
-import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -150,7 +149,7 @@ class AdoptionIT {
     Beacon stopped = phoenix.beacon(phoenix.group("stopped"), ok("stopped"), true);
     PhoenixFixture.signal("STOP", stopped.pid());
     phoenix.system().shutdown();
-    assertThat(phoenix.process().waitFor(15, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
+    assertThat(phoenix.process().waitFor(40, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
     assertThat(phoenix.process().exitValue()).isZero();
     assertThat(phoenix.vms()).as("processes left").isEmpty();
     new ServerSocket(phoenix.port, 1, InetAddress.getLoopbackAddress()).close();
@@ -166,7 +165,7 @@ class AdoptionIT {
   void terminationEndsTheProcessesToo() throws Exception {
     phoenix.beacon(phoenix.group("one"), ok("one"), true);
     phoenix.process().destroy();
-    assertThat(phoenix.process().waitFor(15, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
+    assertThat(phoenix.process().waitFor(40, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
     assertThat(phoenix.vms()).as("processes left").isEmpty();
   }
 
@@ -179,9 +178,9 @@ class AdoptionIT {
         threads.submit(() -> id.activate(false));
       }
       phoenix.process().destroy();
-      assertThat(phoenix.process().waitFor(15, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
+      assertThat(phoenix.process().waitFor(40, TimeUnit.SECONDS)).as("phoenix ends").isTrue();
       await("no process is left")
-          .atMost(Duration.ofSeconds(5))
+          .atMost(PhoenixFixture.PATIENCE)
           .untilAsserted(() -> assertThat(phoenix.vms()).isEmpty());
     } finally {
       threads.shutdownNow();
@@ -222,8 +221,8 @@ class AdoptionIT {
     long millis = (System.nanoTime() - began) / 1_000_000;
     System.out.println("AdoptionIT: ready " + millis + " ms after a start with 1000 objects");
     assertThat(phoenix.admin().getActivatableObjects(group)).hasSize(1000);
-    // The figure to keep is 2 s on an idle machine; a loaded one may take longer.
-    assertThat(millis).as("ms from start to ready").isLessThan(8000);
+    // The figure to keep is 2 s on an idle machine; a loaded one may take much longer.
+    assertThat(millis).as("ms from start to ready").isLessThan(30_000);
   }
 
   private String ok(String device) {

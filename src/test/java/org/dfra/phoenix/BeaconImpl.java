@@ -1,5 +1,7 @@
 package org.dfra.phoenix;
 
+import static org.awaitility.Awaitility.await;
+
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
@@ -25,8 +27,8 @@ import org.dfra.river.call.ResurrectingExporter;
  * A beacon under phoenix. Its data is a text, {@code mode device}:
  *
  * <ul>
- *   <li>mode {@code ok}; {@code throws} or {@code halts} in the constructor; {@code slow} in it;
- *       {@code river} uses River's own exporter
+ *   <li>mode {@code ok}; {@code throws} or {@code halts} in the constructor; {@code slow} in it,
+ *       until there is a file {@code device.go}; {@code river} uses River's own exporter
  *   <li>device: a file that one process at a time can own, as a serial port is. A second owner
  *       writes {@code CONFLICT} into {@code device.log}: the ground truth for "never two of one
  *       group", whatever phoenix believes.
@@ -52,7 +54,7 @@ public class BeaconImpl implements Beacon, ProxyAccessor {
     switch (words[0]) {
       case "throws" -> throw new IllegalStateException("the receiver is not plugged in");
       case "halts" -> Runtime.getRuntime().halt(77);
-      case "slow" -> new CountDownLatch(1).await(1500, TimeUnit.MILLISECONDS);
+      case "slow" -> awaitFile(Path.of(words[1] + ".go"));
       default -> {}
     }
     Exporter live =
@@ -64,6 +66,10 @@ public class BeaconImpl implements Beacon, ProxyAccessor {
             : new ResurrectingExporter(id, live);
     proxy = exporter.export(this);
     INSTANCES.incrementAndGet();
+  }
+
+  private static void awaitFile(Path file) {
+    await().atMost(PhoenixFixture.PATIENCE).until(() -> Files.exists(file));
   }
 
   private static FileChannel own(String device) {

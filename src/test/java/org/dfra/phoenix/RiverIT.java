@@ -88,7 +88,7 @@ class RiverIT {
         new net.jini.core.discovery.LookupLocator("127.0.0.1", port).getRegistrar();
     ServiceID registrarId = registrar.getServiceID();
     ServiceID service =
-        registrar.register(new ServiceItem(null, "a service", null), 30_000).getServiceID();
+        registrar.register(new ServiceItem(null, "a service", null), 300_000).getServiceID();
 
     long pid = phoenix.status("registrar").pid();
     PhoenixFixture.kill(pid);

@@ -45,7 +45,7 @@ class ActivationStepsTest {
 
   private static final String HERE = "org.dfra.slice.FaultyThermometers$";
   private static final String SENTENCE = "/robots/r2.xml:12: module r2/warmth: ";
-  private static final Duration PATIENCE = Duration.ofSeconds(5);
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 

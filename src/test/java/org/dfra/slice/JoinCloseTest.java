@@ -33,7 +33,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 @Timeout(60)
 class JoinCloseTest {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(15);
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 class JoinTest {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 
@@ -63,7 +63,11 @@ class JoinTest {
           .pollDelay(Duration.ofMillis(EmbeddedReggie.LEASE_MILLIS + 500))
           .atMost(PATIENCE)
           .until(() -> true);
-      assertThat(registered(REGGIE)).as("%s after its first lease", server).hasSize(1);
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(registered(REGGIE)).as("%s after its first lease", server).hasSize(1));
     }
   }
 

@@ -45,7 +45,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class ModuleLandlordTest {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(5);
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
 
   private LeaseBook book;
   private ModuleLandlord landlord;
@@ -213,15 +213,15 @@ class ModuleLandlordTest {
           .as("the sentence crosses the wire")
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageContaining("lease 120 s > longest allowed 30 s");
-      Lease lease = ((LeasedUse) remote.use(Duration.ofMillis(400))).lease();
+      Lease lease = ((LeasedUse) remote.use(Duration.ofSeconds(10))).lease();
       long granted = lease.getExpiration();
       AtomicReference<LeaseRenewalEvent> failure = new AtomicReference<>();
       LeaseListener listener = failure::set;
       LeaseRenewalManager manager =
           new LeaseRenewalManager(
               new SuppliedConfiguration(
-                  Map.of("net.jini.lease.LeaseRenewalManager.roundTripTime", () -> 200L)));
-      manager.renewUntil(lease, Lease.FOREVER, 400, listener);
+                  Map.of("net.jini.lease.LeaseRenewalManager.roundTripTime", () -> 9_500L)));
+      manager.renewUntil(lease, Lease.FOREVER, 10_000, listener); // after half a second
       await().atMost(PATIENCE).until(() -> lease.getExpiration() > granted + 400);
       assertThat(failure.get()).as("a renewal that failed").isNull();
       manager.cancel(lease);

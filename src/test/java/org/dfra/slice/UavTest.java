@@ -23,6 +23,7 @@ import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Module;
+import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.ModuleProxy;
@@ -124,7 +125,9 @@ class UavTest {
   }
 
   private static ConditionFactory patiently() {
-    return await().atMost(Duration.ofSeconds(40));
+    return await()
+        .atMost(Duration.ofSeconds(40))
+        .ignoreExceptionsInstanceOf(NotReadyException.class); // old for a moment
   }
 
   private static ModuleListing<?> find(JiniModuleDirectory directory, String query)
