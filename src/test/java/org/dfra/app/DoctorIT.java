@@ -1,6 +1,7 @@
 package org.dfra.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -44,7 +45,11 @@ class DoctorIT {
               "--registry-port=-1",
               state);
       assertThat(up.exit()).as(up.out() + up.err()).isZero();
-      Outcome well = doctor(processes, state);
+      // A computer that stands still gives no answer in time, and that is found too.
+      Outcome well =
+          await()
+              .atMost(PATIENCE.multipliedBy(3))
+              .until(() -> doctor(processes, state), each -> found(each, "clock").contains("ok"));
       assertThat(found(well, "java")).containsExactly("ok");
       assertThat(found(well, "boot-jar")).containsExactly("ok");
       assertThat(found(well, "state-folder")).containsExactly("ok");
