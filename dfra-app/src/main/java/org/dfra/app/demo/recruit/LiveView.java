@@ -44,6 +44,7 @@ final class LiveView implements AutoCloseable {
   private final Ways ways;
   private final @Nullable Batteries batteries; // null where there is no terminal
   private final @Nullable ScheduledExecutorService thread; // likewise
+  private boolean isOver; // guarded by this
 
   /**
    * @param robots from the first line to the last
@@ -89,7 +90,10 @@ final class LiveView implements AutoCloseable {
     }
   }
 
-  private void draw() {
+  private synchronized void draw() {
+    if (isOver) {
+      return;
+    }
     try {
       tell.redraw(SnapshotLines.of(now()));
     } catch (RuntimeException e) { // the demonstration goes on without it
@@ -157,14 +161,14 @@ final class LiveView implements AutoCloseable {
 
   /** {@inheritDoc} What was at last stays on the terminal. */
   @Override
-  public void close() throws InterruptedException {
-    if (thread == null || batteries == null) {
+  public synchronized void close() {
+    if (thread == null || batteries == null || isOver) {
       return;
     }
-    thread.shutdownNow();
-    boolean unused = thread.awaitTermination(PERIOD_MILLIS, TimeUnit.MILLISECONDS);
-    batteries.close();
+    thread.shutdown();
     draw();
+    isOver = true;
     tell.settle();
+    batteries.close();
   }
 }

@@ -38,6 +38,9 @@ final class Story {
   /** How far a helper has come that dies on its way, metres. */
   private static final double ON_ITS_WAY = 2;
 
+  /** After which a helper is released, robots' time. */
+  private static final Duration OBSERVED = Duration.ofSeconds(8);
+
   /** For how long a helper stays that is not released, robots' time. */
   private static final Duration SHORT_STAY = Duration.ofSeconds(15);
 
@@ -122,7 +125,12 @@ final class Story {
     Narration.Stopwatch watch = tell.stopwatch();
     tell.say("%s comes.", calls.call(call, Set.of()));
     tell.figure("call to a robot on its way", watch.elapsed(), Duration.ofSeconds(60));
-    calls.release(calls.arrived());
+    String helper = calls.arrived();
+    Instant enough = clock.instant().plus(OBSERVED);
+    tell.say("%s observes for %d s of the robots' time.", helper, OBSERVED.toSeconds());
+    Checks.await(
+        "that " + helper + " has observed", PATIENCE, () -> clock.instant().isAfter(enough));
+    calls.release(helper);
   }
 
   /** Returns the robot that died. */

@@ -22,6 +22,7 @@ import org.dfra.app.terminal.Terminal;
 public final class Narration {
 
   private static final int WIDTH = 96;
+  private static final int NARROWEST = 40;
 
   /** Where a line may end: not between a number and its unit. */
   private static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m)\\b|%)");
@@ -39,6 +40,7 @@ public final class Narration {
   private final PrintWriter out;
   private final LongSupplier nanos;
   private final boolean isTerminal;
+  private final Supplier<Terminal.Size> size; // guarded by this
   private final LiveBlock block; // guarded by this
   private final long began;
   private final Figures figures = new Figures();
@@ -63,11 +65,12 @@ public final class Narration {
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
    * @param isTerminal whether lines that were written can be written anew
-   * @param size of the terminal; lines that are drawn anew are cut there
+   * @param size of the terminal; sentences are broken and lines that are drawn anew are cut there
    */
   public Narration(
       PrintWriter out, LongSupplier nanos, boolean isTerminal, Supplier<Terminal.Size> size) {
     this.isTerminal = isTerminal;
+    this.size = size;
     this.block = new LiveBlock(size);
     this.out = out;
     this.nanos = nanos;
@@ -128,8 +131,9 @@ public final class Narration {
     String text = String.format(Locale.ROOT, format, arguments);
     StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
     int column = line.length();
+    int width = width();
     for (String word : BREAK.split(text)) {
-      if (column + word.length() + 1 > WIDTH && column > INDENT.length()) {
+      if (column + word.length() + 1 > width && column > INDENT.length()) {
         line.append(END).append(INDENT);
         column = INDENT.length();
       } else {
@@ -140,6 +144,10 @@ public final class Narration {
       column += word.length();
     }
     print(line + END);
+  }
+
+  private int width() {
+    return isTerminal ? Math.max(NARROWEST, Math.min(WIDTH, size.get().columns())) : WIDTH;
   }
 
   /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */

@@ -75,4 +75,27 @@ class NarrationTest {
     assertThat(shown())
         .containsExactly("", "A chapter", "   0.000 s  A sentence.", "    a table", "");
   }
+
+  @Test
+  void aSentenceIsBrokenWhereTheTerminalEnds() {
+    String words = "word ".repeat(30).strip();
+    for (int columns : new int[] {50, 80, 200}) {
+      StringWriter said = new StringWriter();
+      new Narration(new PrintWriter(said), () -> 0, true, () -> new Terminal.Size(columns, 24))
+          .say("%s", words);
+      int widest = said.toString().lines().mapToInt(String::length).max().orElseThrow();
+      assertThat(widest)
+          .as("on %d columns", columns)
+          .isBetween(columns > 96 ? 92 : columns - 5, Math.min(96, columns));
+    }
+  }
+
+  @Test
+  void aSentenceIsAsWideAsEverWhereThereIsNoTerminal() {
+    StringWriter said = new StringWriter();
+    new Narration(new PrintWriter(said), () -> 0, false, () -> new Terminal.Size(50, 24))
+        .say("%s", "word ".repeat(30).strip());
+    assertThat(said.toString().lines().mapToInt(String::length).max().orElseThrow())
+        .isBetween(92, 96);
+  }
 }
