@@ -44,7 +44,33 @@ final class Resumption {
    * @param search what its search told, as it was told
    */
   static Optional<Fault> fault(List<RecruitmentStatus> agent, List<BehaviorStatus> search) {
-    return absences(agent).stream().flatMap(each -> fault(each, search).stream()).findFirst();
+    List<Absence> apart = new ArrayList<>();
+    for (Absence each : absences(agent)) {
+      Absence before = apart.isEmpty() ? null : apart.get(apart.size() - 1);
+      if (before != null && isStillAway(before, each, search)) {
+        apart.set(apart.size() - 1, new Absence(before.asked(), each.free()));
+      } else {
+        apart.add(each);
+      }
+    }
+    return apart.stream().flatMap(each -> fault(each, search).stream()).findFirst();
+  }
+
+  /** Whether it was called away again before it was back at its search: that is one absence. */
+  private static boolean isStillAway(Absence before, Absence next, List<BehaviorStatus> search) {
+    Instant free = before.free();
+    return free != null
+        && at(next.asked(), search).filter(each -> each.phase() == Phase.PAUSED).isPresent()
+        && search.stream()
+            .filter(each -> isIn(free, each) && !each.measured().isAfter(next.asked()))
+            .noneMatch(each -> each.phase() == Phase.RUNNING);
+  }
+
+  /** What was told last at that time. */
+  private static Optional<BehaviorStatus> at(Instant time, List<BehaviorStatus> search) {
+    return search.stream()
+        .filter(each -> !each.measured().isAfter(time))
+        .reduce((first, second) -> second);
   }
 
   private static List<Absence> absences(List<RecruitmentStatus> agent) {
@@ -71,11 +97,7 @@ final class Resumption {
   }
 
   private static Optional<Fault> fault(Absence away, List<BehaviorStatus> search) {
-    BehaviorStatus before =
-        search.stream()
-            .filter(each -> !each.measured().isAfter(away.asked()))
-            .reduce((first, second) -> second)
-            .orElse(null);
+    BehaviorStatus before = at(away.asked(), search).orElse(null);
     if (before == null || before.phase() != Phase.RUNNING) {
       return Optional.of(
           new Fault(

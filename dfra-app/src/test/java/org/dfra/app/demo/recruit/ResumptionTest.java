@@ -143,4 +143,29 @@ class ResumptionTest {
         .as("nothing was left to be called away from")
         .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
   }
+
+  @Test
+  void whoIsCalledAgainBeforeItIsBackIsAwayOnce() {
+    List<RecruitmentStatus> again = new ArrayList<>(HELPED);
+    again.add(agent(51, ResponderPhase.OFFERED));
+    again.add(agent(52, ResponderPhase.TRAVELLING));
+    again.add(agent(60, ResponderPhase.FREE));
+    BehaviorStatus late = search(61, SEARCH, Phase.RUNNING, 0.25);
+    assertThat(
+            Resumption.fault(
+                again, List.of(RUNS, PAUSES, late, search(70, SEARCH, Phase.RUNNING, 0.5))))
+        .isEmpty();
+    assertThat(Resumption.fault(again, List.of(RUNS, PAUSES, late)))
+        .as("no more was done after the second time")
+        .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isTrue());
+    BehaviorStatus idle = search(2, SEARCH, Phase.PAUSED, 0.25);
+    assertThat(Resumption.fault(again, List.of(RUNS, idle, late)))
+        .as("it did not search before the first time either")
+        .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
+    BehaviorStatus back = search(50, SEARCH, Phase.RUNNING, 0.3);
+    BehaviorStatus halted = search(51, SEARCH, Phase.PAUSED, 0.3);
+    assertThat(Resumption.fault(again, List.of(RUNS, PAUSES, back, halted, late)))
+        .as("it was back, and somebody halted it")
+        .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
+  }
 }
