@@ -20,7 +20,6 @@ import org.dfra.app.figure.RecordOption;
 import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -91,7 +90,7 @@ public final class DemoCommand implements Callable<Integer> {
               + String.join(", ", demos.keySet()));
     }
     refuseOptionsOfOthers(chosen);
-    Narration narration = new Narration(out, System::nanoTime, Ansi.AUTO.enabled());
+    Narration narration = Narration.to(out);
     if (!demo.apply(narration, report == null ? Path.of("reports", chosen) : report).run()) {
       return ExitCode.FAILED;
     }

@@ -27,7 +27,6 @@ import org.dfra.recruit.strategy.Strategies;
 import org.dfra.recruit.transport.MeasuredDelays;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -175,7 +174,7 @@ final class ExperimentCommand implements Callable<Integer> {
   }
 
   private Narration narration() {
-    return new Narration(spec.commandLine().getOut(), System::nanoTime, Ansi.AUTO.enabled());
+    return Narration.to(spec.commandLine().getOut());
   }
 
   private int embedded(Plan plan, int atOnce, Path folder) throws Exception {

@@ -54,6 +54,9 @@ final class RunProgress implements Experiment.Progress {
                   runs,
                   ofThem,
                   left)));
+      if (isLast) {
+        tell.settle();
+      }
     } else {
       tell.say("%d of %d runs are done; it takes %.0f s more.", runs, ofThem, left);
     }

@@ -87,6 +87,7 @@ public final class RasterDemo implements Demo {
     tell.chapter("searching", "The robots search it, each the other way round than the one before");
     Narration.Stopwatch watch = tell.stopwatch();
     Flight flight = mission.run(new LiveProgress(tell, System::nanoTime, scenario));
+    tell.settle();
     tell.say(
         "The search took %.0f s of the robots' time and %s of this computer's.",
         flight.seconds(), Wording.seconds(watch.elapsed()));

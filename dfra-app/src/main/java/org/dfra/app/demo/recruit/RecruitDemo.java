@@ -97,10 +97,26 @@ public final class RecruitDemo implements Demo {
             JiniModuleDirectory directory =
                 new JiniModuleDirectory(Stage.ADDRESS, List.of(), team.locators());
             Ways ways = new Ways(names, simulation.world().truth(), clock);
-            Witness witness = new Witness(directory, tell, began)) {
+            Witness witness = new Witness(directory, tell, began);
+            Searches searches = new Searches(tell, directory, frame, Searches.PATIENCE)) {
           ways.start();
-          team.start();
-          new Story(tell, team, directory, witness, simulation.world(), ways, frame, clock).play();
+          try (LiveView live =
+              new LiveView(tell, names, began, clock, frame, directory, witness, searches, ways)) {
+            live.start();
+            team.start();
+            Story story =
+                new Story(
+                    tell,
+                    team,
+                    directory,
+                    witness,
+                    searches,
+                    simulation.world(),
+                    ways,
+                    frame,
+                    clock);
+            story.play();
+          }
           tell.chapter("writing the report", "The report");
           Chronicle chronicle = new Chronicle(began, frame, witness, ways);
           RecruitFigures figures = new RecruitFigures(names, world, chronicle);

@@ -3,6 +3,7 @@ package org.dfra.app.demo.recruit;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,6 +13,7 @@ import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.recruit.Resumption.Fault;
 import org.dfra.app.demo.stage.Checks;
 import org.dfra.app.demo.stage.Narration;
 import org.dfra.app.raster.live.Arrival;
@@ -36,6 +38,9 @@ final class Story {
   /** How far a helper has come that dies on its way, metres. */
   private static final double ON_ITS_WAY = 2;
 
+  /** After which a helper is released, robots' time. */
+  private static final Duration OBSERVED = Duration.ofSeconds(8);
+
   /** For how long a helper stays that is not released, robots' time. */
   private static final Duration SHORT_STAY = Duration.ofSeconds(15);
 
@@ -50,6 +55,7 @@ final class Story {
   private final Searches searches;
 
   /**
+   * @param searches of which none has begun
    * @param frame the world's
    * @param clock the robots'
    */
@@ -58,6 +64,7 @@ final class Story {
       Team team,
       ModuleDirectory directory,
       Witness witness,
+      Searches searches,
       World world,
       Ways ways,
       LocalFrame frame,
@@ -70,7 +77,7 @@ final class Story {
     this.ways = ways;
     this.clock = clock;
     this.frame = frame;
-    this.searches = new Searches(tell, directory, frame, Searches.PATIENCE);
+    this.searches = searches;
   }
 
   void play() throws Exception {
@@ -83,8 +90,10 @@ final class Story {
         directory.proxyFor(ModuleQuery.of(RecruitmentAgent.class).robot(REQUESTER));
     Calls calls = new Calls(tell, REQUESTER, uav, witness, frame);
     tell.say("All %d are there.", robots);
-    searches.begin("ugv3", 4.5, 18, 18);
-    searches.begin("ugv4", 22, 35.5, 18);
+    searches.begin("ugv1", 4.5, 3);
+    searches.begin("ugv2", 22, 3);
+    searches.begin("ugv3", 4.5, 18);
+    searches.begin("ugv4", 22, 18);
     refuse(calls);
     FlightEffector flight =
         directory.proxyFor(ModuleQuery.of(FlightEffector.class).robot(REQUESTER));
@@ -116,7 +125,12 @@ final class Story {
     Narration.Stopwatch watch = tell.stopwatch();
     tell.say("%s comes.", calls.call(call, Set.of()));
     tell.figure("call to a robot on its way", watch.elapsed(), Duration.ofSeconds(60));
-    calls.release(calls.arrived());
+    String helper = calls.arrived();
+    Instant enough = clock.instant().plus(OBSERVED);
+    tell.say("%s observes for %d s of the robots' time.", helper, OBSERVED.toSeconds());
+    Checks.await(
+        "that " + helper + " has observed", PATIENCE, () -> clock.instant().isAfter(enough));
+    calls.release(helper);
   }
 
   /** Returns the robot that died. */
@@ -152,7 +166,7 @@ final class Story {
     String helper = calls.arrived();
     team.signal("STOP", REQUESTER);
     try {
-      witness.note(clock.instant(), REQUESTER, "hears and says nothing from here on");
+      witness.reached(clock.instant(), REQUESTER, false);
       tell.say(
           "The agent of %s is stopped (process %d): it hears and says nothing. %s has granted it"
               + " a lease of %d s of the robots' time.",
@@ -161,14 +175,18 @@ final class Story {
       tell.say("%s has freed itself, with nobody to tell it so.", helper);
     } finally {
       team.signal("CONT", REQUESTER);
-      witness.note(clock.instant(), REQUESTER, "can be reached again");
+      witness.reached(clock.instant(), REQUESTER, true);
     }
     calls.await(RequesterPhase.IDLE);
   }
 
   private void judge(String dead) throws Exception {
     tell.chapter("judging", "What became of it");
-    List<String> idle = searches.end(witness.helpers());
+    Map<String, List<RecruitmentStatus>> recruited = witness.statuses();
+    recruited.keySet().retainAll(witness.helpers());
+    recruited.remove(dead);
+    Collection<Fault> faults = searches.end(recruited).values();
+    long idle = faults.stream().filter(each -> !each.hadSearched()).count();
     Set<String> bound =
         witness.statuses().entrySet().stream()
             .filter(each -> !each.getKey().equals(dead))
@@ -178,7 +196,8 @@ final class Story {
     tell.say("%d letters were sent, a call to all counted as one.", witness.letters().size());
     tell.figure("robots that are still bound to somebody", bound.size(), 0, "");
     tell.figure("seconds in which two helped at once", witness.doubled(), 0, "s");
-    tell.figure("searches that were left and did not go on", idle.size(), 0, "");
+    tell.figure("recruited robots that had not been searching", idle, 0, "");
+    tell.figure("searches that were left and did not go on", faults.size() - idle, 0, "");
     tell.figure("collisions", world.truth().collisions().size(), 0, "");
   }
 

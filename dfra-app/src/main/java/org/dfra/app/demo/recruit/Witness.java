@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
@@ -47,6 +48,7 @@ final class Witness implements AutoCloseable, DirectoryListener<RecruitmentAgent
   private final List<SentLetter> letters = new ArrayList<>(); // guarded by this
   private final List<Noted> noted = new ArrayList<>(); // guarded by this
   private final Map<String, Instant> deaths = new TreeMap<>(); // by robot; guarded by this
+  private final Set<String> cutOff = new TreeSet<>(); // robots; guarded by this
   private boolean isOver; // guarded by this
 
   /** What was done to a robot, which its agent does not tell. */
@@ -142,6 +144,27 @@ final class Witness implements AutoCloseable, DirectoryListener<RecruitmentAgent
   synchronized void died(Instant now, String robot, String what) {
     note(now, robot, what);
     deaths.put(robot, now);
+  }
+
+  /** Notes that a robot's agent can, or cannot, be reached from now on. */
+  synchronized void reached(Instant now, String robot, boolean canBe) {
+    if (canBe) {
+      cutOff.remove(robot);
+      note(now, robot, "can be reached again");
+    } else {
+      cutOff.add(robot);
+      note(now, robot, "hears and says nothing from here on");
+    }
+  }
+
+  /** Whether it was noted that a robot has died. */
+  synchronized boolean isDead(String robot) {
+    return deaths.containsKey(robot);
+  }
+
+  /** Whether it was noted that a robot cannot be reached, for now. */
+  synchronized boolean isCutOff(String robot) {
+    return cutOff.contains(robot);
   }
 
   /** What was noted, as it was. */

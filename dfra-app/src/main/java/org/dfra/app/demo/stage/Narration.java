@@ -5,14 +5,24 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import org.dfra.app.figure.Figure;
 import org.dfra.app.figure.Figures;
+import org.dfra.app.terminal.LiveBlock;
+import org.dfra.app.terminal.Terminal;
 
-/** What a demonstration says, each sentence with the time since it began, and what it measured. */
+/**
+ * What a demonstration says, each sentence with the time since it began, and what it measured. Safe
+ * for use by several threads.
+ *
+ * <p>On a terminal, lines at the end can be drawn anew, {@link #redraw}, while all else is written
+ * above them, until they are to stay as they are, {@link #settle}.
+ */
 public final class Narration {
 
   private static final int WIDTH = 96;
+  private static final int NARROWEST = 40;
 
   /** Where a line may end: not between a number and its unit. */
   private static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m)\\b|%)");
@@ -22,14 +32,20 @@ public final class Narration {
   /** Tables are wider than sentences, so they begin further left. */
   private static final String MARGIN = " ".repeat(4);
 
+  /** What is drawn anew is wide too, and set off from what scrolls. */
+  private static final String BLOCK_MARGIN = " ";
+
+  private static final String END = System.lineSeparator();
+
   private final PrintWriter out;
   private final LongSupplier nanos;
   private final boolean isTerminal;
+  private final Supplier<Terminal.Size> size; // guarded by this
+  private final LiveBlock block; // guarded by this
   private final long began;
   private final Figures figures = new Figures();
-  private String step = "setting the stage";
-  private boolean spaced; // the last line was empty
-  private int redrawn; // lines at the end that are shown for now only
+  private volatile String step = "setting the stage";
+  private boolean spaced; // the last line was empty; guarded by this
 
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
@@ -43,7 +59,19 @@ public final class Narration {
    * @param isTerminal whether lines that were written can be written anew
    */
   public Narration(PrintWriter out, LongSupplier nanos, boolean isTerminal) {
+    this(out, nanos, isTerminal, () -> Terminal.Size.BOUNDLESS);
+  }
+
+  /**
+   * @param nanos a clock that only differences are taken of, in nanoseconds
+   * @param isTerminal whether lines that were written can be written anew
+   * @param size of the terminal; sentences are broken and lines that are drawn anew are cut there
+   */
+  public Narration(
+      PrintWriter out, LongSupplier nanos, boolean isTerminal, Supplier<Terminal.Size> size) {
     this.isTerminal = isTerminal;
+    this.size = size;
+    this.block = new LiveBlock(size);
     this.out = out;
     this.nanos = nanos;
     this.began = nanos.getAsLong();
@@ -70,37 +98,43 @@ public final class Narration {
     return isTerminal;
   }
 
+  /** What speaks to whoever has started this process, in the terminal if there is one. */
+  public static Narration to(PrintWriter out) {
+    return new Narration(out, System::nanoTime, Terminal.canRedraw(), new Terminal());
+  }
+
   /**
-   * Shows lines in place of those that were shown so before; the last ones stay. What is too wide
-   * for the terminal is cut there.
+   * Shows lines at the end, in place of those that were shown so before. What is said meanwhile is
+   * written above them. What is too wide for the terminal is cut there.
    */
-  public void redraw(List<String> lines) {
-    String up = redrawn == 0 ? "" : "\u001b[" + redrawn + "A\u001b[J";
-    out.print(up + "\u001b[?7l"); // no going on in the next line
-    lines.forEach(line -> out.println((MARGIN + line).stripTrailing()));
-    out.print("\u001b[?7h");
-    redrawn = lines.size();
-    spaced = false;
+  public synchronized void redraw(List<String> lines) {
+    out.print(block.draw(lines.stream().map(line -> BLOCK_MARGIN + line).toList()));
     out.flush();
+  }
+
+  /** What was drawn last stays; what is said from here on comes below. */
+  public synchronized void settle() {
+    if (block.isDrawn()) {
+      block.leave();
+      spaced = false;
+    }
   }
 
   /** A heading. */
-  public void heading(String title) {
+  public synchronized void heading(String title) {
     blank();
-    out.println(title);
-    redrawn = 0;
-    spaced = false;
-    out.flush();
+    print(title + END);
   }
 
   /** A sentence; the format is {@link String#format}'s. */
-  public void say(String format, Object... arguments) {
+  public synchronized void say(String format, Object... arguments) {
     String text = String.format(Locale.ROOT, format, arguments);
     StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
     int column = line.length();
+    int width = width();
     for (String word : BREAK.split(text)) {
-      if (column + word.length() + 1 > WIDTH && column > INDENT.length()) {
-        line.append(System.lineSeparator()).append(INDENT);
+      if (column + word.length() + 1 > width && column > INDENT.length()) {
+        line.append(END).append(INDENT);
         column = INDENT.length();
       } else {
         line.append(' ');
@@ -109,28 +143,34 @@ public final class Narration {
       line.append(word);
       column += word.length();
     }
-    out.println(line);
-    redrawn = 0;
-    spaced = false;
-    out.flush();
+    print(line + END);
+  }
+
+  private int width() {
+    return isTerminal ? Math.max(NARROWEST, Math.min(WIDTH, size.get().columns())) : WIDTH;
   }
 
   /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */
-  public void show(List<String> lines) {
-    lines.forEach(line -> out.println((MARGIN + line).stripTrailing()));
-    redrawn = 0;
-    spaced = false;
+  public synchronized void show(List<String> lines) {
+    StringBuilder text = new StringBuilder();
+    lines.forEach(line -> text.append((MARGIN + line).stripTrailing()).append(END));
+    print(text.toString());
     blank();
-    out.flush();
   }
 
   /** An empty line, unless the last one was. */
-  public void blank() {
+  public synchronized void blank() {
     if (!spaced) {
-      out.println();
-      redrawn = 0;
+      print(END);
       spaced = true;
     }
+  }
+
+  /** Writes whole lines, in one piece. */
+  private void print(String text) {
+    out.print(block.above(text));
+    out.flush();
+    spaced = false;
   }
 
   /** Starts a stopwatch. */
@@ -160,10 +200,9 @@ public final class Narration {
   }
 
   /** Prints the table of figures. */
-  public void table() {
+  public synchronized void table() {
     heading("Measured");
-    figures.all().forEach(each -> out.println(each.line()));
-    out.flush();
+    figures.all().forEach(each -> print(each.line() + END));
   }
 
   private long elapsed() {

@@ -63,6 +63,7 @@ public final class Performance {
       tell.table();
       return true;
     } catch (Exception e) { // whatever goes wrong is what the demonstration has to tell
+      tell.settle();
       tell.heading("FAILED while " + tell.step());
       tell.say("%s", e.toString());
       return false;

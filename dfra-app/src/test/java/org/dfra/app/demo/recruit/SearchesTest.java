@@ -5,88 +5,171 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.UUID;
+import java.util.function.BiFunction;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.recruit.Resumption.Fault;
 import org.dfra.app.demo.stage.Narration;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleQuery;
+import org.dfra.event.Delivery;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.junit.jupiter.api.Test;
 
-/** Whether searches went on is judged by what they are at, of those that were left only. */
+/** Whether searches went on is judged by what they tell, of those that were left only. */
 class SearchesTest {
 
-  private final StringWriter said = new StringWriter();
-  private final Map<String, Phase> phases = new HashMap<>();
+  private static final Instant BEGIN = Instant.parse("2026-11-22T00:00:00Z");
 
-  /** Stands for a robot's search, at whatever {@link #phases} says. */
-  private RasterSearch search(String robot) {
-    return (RasterSearch)
-        Proxy.newProxyInstance(
-            SearchesTest.class.getClassLoader(),
-            new Class<?>[] {RasterSearch.class},
-            (self, method, arguments) ->
-                switch (method.getName()) {
-                  case "pursue" -> UUID.randomUUID();
-                  case "status" ->
-                      new BehaviorStatus(
-                          Instant.EPOCH, null, phases.get(robot), "it is as it is", 0.5, 0);
-                  case "cancel" -> null;
-                  default -> throw new UnsupportedOperationException(method.getName());
-                });
+  /** Called away after 10 s, free after 20 s. */
+  private static final List<RecruitmentStatus> HELPED =
+      List.of(agent(10, ResponderPhase.TRAVELLING), agent(20, ResponderPhase.FREE));
+
+  private final StringWriter said = new StringWriter();
+  private final Map<String, ModuleListener> listeners = new HashMap<>();
+  private final Map<String, UUID> goals = new HashMap<>();
+  private final List<String> cancelled = new ArrayList<>();
+  private final Searches searches =
+      new Searches(
+          new Narration(new PrintWriter(said), () -> 0),
+          fake(ModuleDirectory.class, this::directory),
+          new LocalFrame(new GeoPosition(48, 11, 0)),
+          Duration.ofMillis(20));
+
+  private static RecruitmentStatus agent(int second, ResponderPhase phase) {
+    return new RecruitmentStatus(
+        BEGIN.plusSeconds(second), RequesterPhase.IDLE, null, phase, "uav", 0, "as it is");
   }
 
-  private Searches begun() throws Exception {
-    Map<ModuleQuery<?>, RasterSearch> all = new HashMap<>();
-    phases
-        .keySet()
-        .forEach(each -> all.put(ModuleQuery.of(RasterSearch.class).robot(each), search(each)));
-    ModuleDirectory directory =
-        (ModuleDirectory)
-            Proxy.newProxyInstance(
-                SearchesTest.class.getClassLoader(),
-                new Class<?>[] {ModuleDirectory.class},
-                (self, method, arguments) -> all.get(arguments[0]));
-    Searches searches =
-        new Searches(
-            new Narration(new PrintWriter(said), () -> 0),
-            directory,
-            new LocalFrame(new GeoPosition(48, 11, 0)),
-            Duration.ofMillis(20));
-    for (String robot : phases.keySet()) {
-      searches.begin(robot, 0, 10, 0);
+  private static <T> T fake(Class<T> type, BiFunction<String, Object[], Object> answers) {
+    return type.cast(
+        Proxy.newProxyInstance(
+            SearchesTest.class.getClassLoader(),
+            new Class<?>[] {type},
+            (self, method, arguments) -> answers.apply(method.getName(), arguments)));
+  }
+
+  private Object directory(String method, Object[] arguments) {
+    for (String robot : List.of("ugv1", "ugv2", "ugv3")) {
+      if (arguments[0].equals(ModuleQuery.of(RasterSearch.class).robot(robot))) {
+        return fake(RasterSearch.class, (name, all) -> search(robot, name, all));
+      }
     }
-    return searches;
+    throw new UnsupportedOperationException(method);
+  }
+
+  /** Stands for a robot's search. */
+  private Object search(String robot, String method, Object[] arguments) {
+    return switch (method) {
+      case "pursue" -> goals.computeIfAbsent(robot, name -> UUID.randomUUID());
+      case "subscribe" -> {
+        listeners.put(robot, (ModuleListener) arguments[0]);
+        yield fake(Subscription.class, (name, all) -> listeners.remove(robot));
+      }
+      case "status" -> searches.last(robot).orElseThrow();
+      case "cancel" -> {
+        cancelled.add(robot);
+        yield null;
+      }
+      default -> throw new UnsupportedOperationException(method);
+    };
+  }
+
+  /** Has a robot's search tell what it is at. */
+  private void tells(String robot, int second, Phase phase, double done) throws RemoteException {
+    BehaviorStatus status =
+        new BehaviorStatus(
+            BEGIN.plusSeconds(second), goals.get(robot), phase, "it is as it is", done, 0);
+    listeners
+        .get(robot)
+        .notify(
+            new Delivery(
+                robot + "/search", 0, second, 0, BEGIN, new ModuleEvent.NewReading(status)));
+  }
+
+  private void begun(String robot) throws Exception {
+    searches.begin(robot, 0, 0);
+    tells(robot, 1, Phase.RUNNING, 0.25);
+  }
+
+  private String said() {
+    return said.toString().replaceAll("\\s+", " "); // lines may end anywhere
   }
 
   @Test
-  void onlyWhatRunsOrIsFinishedHasGoneOn() throws Exception {
-    phases.put("runs", Phase.RUNNING);
-    phases.put("is finished", Phase.SUCCEEDED);
-    phases.put("failed", Phase.FAILED);
-    phases.put("was given up", Phase.CANCELLED);
-    phases.put("pauses", Phase.PAUSED);
-    phases.put("knows of none", Phase.IDLE);
-    List<String> idle = begun().end(Set.copyOf(phases.keySet()));
-    assertThat(idle).containsExactlyInAnyOrder("failed", "was given up", "pauses", "knows of none");
+  void whoGoesOnIsWellAndWhoDoesNotIsNamed() throws Exception {
+    begun("ugv1");
+    begun("ugv2");
+    for (String robot : List.of("ugv1", "ugv2")) {
+      tells(robot, 11, Phase.PAUSED, 0.25);
+    }
+    tells("ugv1", 30, Phase.RUNNING, 0.5);
+    Map<String, Fault> faults = searches.end(Map.of("ugv1", HELPED, "ugv2", HELPED));
+    assertThat(faults).containsOnlyKeys("ugv2");
+    assertThat(faults.get("ugv2").hadSearched()).isTrue();
+    assertThat(said())
+        .contains("ugv2 has not gone on with the search that it left: that is PAUSED")
+        .contains(
+            "ugv1, which was called away from its search and went on with it, has searched 50 %")
+        .contains("ugv2 has searched 25 % of its quarter: it is as it is.");
+    assertThat(cancelled).containsExactlyInAnyOrder("ugv1", "ugv2");
+  }
+
+  @Test
+  void whoWasRecruitedWithoutSearchingIsNamed() throws Exception {
+    begun("ugv1");
+    tells("ugv1", 9, Phase.SUCCEEDED, 1);
+    Map<String, Fault> faults = searches.end(Map.of("ugv1", HELPED, "ugv3", HELPED));
+    assertThat(faults).containsOnlyKeys("ugv1", "ugv3");
+    assertThat(faults.values()).noneMatch(Fault::hadSearched);
+    assertThat(said())
+        .contains("ugv1 was not searching when it was recruited: its search was SUCCEEDED")
+        .contains("ugv3 was not searching when it was recruited: it had no search.");
   }
 
   @Test
   void whatWasNeverLeftCannotGoOnNorFailTo() throws Exception {
-    phases.put("was called away", Phase.RUNNING);
-    phases.put("was not", Phase.FAILED);
-    assertThat(begun().end(Set.of("was called away", "never searched"))).isEmpty();
-    assertThat(said.toString().replaceAll("\\s+", " ")) // lines may end anywhere
-        .contains("was called away, which was called away, has searched 50 %")
-        .contains("was not has searched 50 %");
+    begun("ugv1");
+    begun("ugv2");
+    tells("ugv2", 12, Phase.FAILED, 0.25);
+    assertThat(searches.end(Map.of())).isEmpty();
+    assertThat(said()).contains("ugv1 has searched 25 %", "ugv2 has searched 25 %");
+  }
+
+  @Test
+  void whoDiedIsNoMore() throws Exception {
+    begun("ugv1");
+    searches.forget("ugv1");
+    assertThat(listeners).as("whom it still tells").isEmpty();
+    assertThat(searches.end(Map.of())).isEmpty();
+    assertThat(cancelled).isEmpty();
+    assertThat(said()).doesNotContain("ugv1 has searched");
+  }
+
+  @Test
+  void whatIsToldLastIsKnown() throws Exception {
+    assertThat(searches.last("ugv1")).isEmpty();
+    begun("ugv1");
+    tells("ugv1", 5, Phase.RUNNING, 0.5);
+    assertThat(searches.last("ugv1"))
+        .hasValueSatisfying(last -> assertThat(last.done()).isEqualTo(0.5));
+    searches.close();
+    assertThat(listeners).isEmpty();
   }
 }

@@ -1,0 +1,169 @@
+package org.dfra.app.demo.recruit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.app.demo.recruit.Snapshot.Fate;
+import org.dfra.app.demo.recruit.Snapshot.Robot;
+import org.dfra.app.demo.stage.Wording;
+import org.dfra.behavior.BehaviorStatus;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A team at one moment, as lines: one for each robot and one for the call. Columns are as wide at
+ * all moments, so that nothing jumps; with names of five letters a line has 78 characters. A
+ * question mark stands for what is not known, a blank for what there is not.
+ */
+final class SnapshotLines {
+
+  private static final int SHORTEST_NAME = 5;
+  private static final int BAR = 5;
+  private static final String UNKNOWN = "?";
+
+  private SnapshotLines() {}
+
+  /** The lines, with an empty one before that sets them off. */
+  static List<String> of(Snapshot now) {
+    int wide =
+        now.robots().stream().mapToInt(each -> each.name().length()).max().orElse(SHORTEST_NAME);
+    List<String> lines = new ArrayList<>();
+    lines.add("");
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "Now, after %.0f s of the robots' time; no loss of letters is simulated:",
+            now.seconds()));
+    lines.add(row(wide, "ROBOT", "DOES", "RECRUITMENT", "SHAME", "TO GO", "LEASE", "CHARGE"));
+    now.robots().forEach(each -> lines.add(row(wide, each)));
+    lines.add(call(now));
+    return List.copyOf(lines);
+  }
+
+  private static String row(int wide, Robot robot) {
+    return switch (robot.fate()) {
+      case DEAD -> row(wide, robot.name(), "dead", "", "", "", "", "");
+      case ABSENT -> row(wide, robot.name(), UNKNOWN, UNKNOWN, UNKNOWN, "", "", charge(robot));
+      case PRESENT, CUT_OFF ->
+          row(
+              wide,
+              robot.name(),
+              does(robot),
+              recruitment(robot),
+              shame(robot),
+              number("%.1f m", robot.distance()),
+              number("%.0f s", robot.lease()),
+              charge(robot));
+    };
+  }
+
+  private static String row(
+      int wide,
+      String robot,
+      String does,
+      String recruitment,
+      String shame,
+      String distance,
+      String lease,
+      String charge) {
+    String format = "%-" + Math.max(wide, SHORTEST_NAME) + "s  %-16s  %-18s  %-10s  %6s  %5s  %6s";
+    return String.format(
+            Locale.ROOT, format, robot, does, recruitment, shame, distance, lease, charge)
+        .stripTrailing();
+  }
+
+  /** What a robot does, of all that is told of it the most urgent. */
+  private static String does(Robot robot) {
+    RecruitmentStatus agent = robot.agent();
+    if (agent != null && agent.responder().isCommitted()) {
+      return switch (agent.responder()) {
+        case TRAVELLING -> "on its way";
+        case LEASED -> "observing";
+        default -> "there";
+      };
+    }
+    return robot.isFlying() ? "flying" : does(robot.search());
+  }
+
+  private static String does(@Nullable BehaviorStatus search) {
+    if (search == null) {
+      return "waiting";
+    }
+    long percent = (long) Math.floor(100 * search.done() + 1e-9);
+    return switch (search.phase()) {
+      case RUNNING -> "searching, " + percent + " %";
+      case PAUSED -> "paused, " + percent + " %";
+      case SUCCEEDED -> "has searched all";
+      case FAILED -> "cannot search";
+      case CANCELLED -> "stopped, " + percent + " %";
+      case IDLE -> "waiting";
+    };
+  }
+
+  private static String recruitment(Robot robot) {
+    if (robot.fate() == Fate.CUT_OFF) {
+      return "cannot be reached";
+    }
+    RecruitmentStatus agent = robot.agent();
+    if (agent == null) {
+      return "idle";
+    } else if (agent.responder().isCommitted()) {
+      return "responds to " + name(agent.helped());
+    }
+    return switch (agent.responder()) {
+      case OFFERED -> "offers to " + name(agent.helped());
+      default -> requesting(agent);
+    };
+  }
+
+  private static String requesting(RecruitmentStatus agent) {
+    if (agent.requester() == RequesterPhase.IDLE) {
+      return "idle";
+    } else if (agent.requester() == RequesterPhase.DONE) {
+      return "helped by " + name(agent.helper());
+    }
+    return agent.helper() == null ? "requests" : "awaits " + agent.helper();
+  }
+
+  private static String name(@Nullable String robot) {
+    return robot == null ? UNKNOWN : robot;
+  }
+
+  private static String shame(Robot robot) {
+    double urge = robot.agent() == null ? 0 : robot.agent().urge();
+    double down = Math.floor(100 * urge + 1e-9) / 100; // 1.00 is where it offers, not below
+    int full = (int) Math.floor(BAR * urge + 1e-9);
+    return String.format(Locale.ROOT, "%s%s %.2f", "#".repeat(full), ".".repeat(BAR - full), down);
+  }
+
+  private static String number(String format, @Nullable Double value) {
+    return value == null ? "" : String.format(Locale.ROOT, format, value);
+  }
+
+  private static String charge(Robot robot) {
+    Double charge = robot.charge();
+    return charge == null ? UNKNOWN : number("%.0f %%", 100 * charge);
+  }
+
+  private static String call(Snapshot now) {
+    CallState call = now.call();
+    if (call == null) {
+      return "Nobody calls for help.";
+    }
+    StringBuilder text = new StringBuilder();
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "Call %d by %s, %.0f s ago: ",
+            call.number(),
+            call.requester(),
+            call.seconds(now.time())));
+    text.append(call.chosen() == null ? "nobody chosen" : call.chosen() + " chosen");
+    if (!call.lost().isEmpty()) {
+      text.append(", ").append(String.join(" and ", call.lost())).append(" lost");
+    }
+    text.append("; HELP sent ").append(Wording.count(call.rounds(), "time"));
+    return text.append(", ").append(Wording.count(call.letters(), "letter")).toString();
+  }
+}

@@ -1,0 +1,115 @@
+package org.dfra.app.terminal;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.Help.Ansi;
+
+/**
+ * The terminal that this process writes to. Its size is asked for again every {@value #SECONDS} s,
+ * since people drag windows. Not safe for use by several threads.
+ */
+public final class Terminal implements Supplier<Terminal.Size> {
+
+  private static final int SECONDS = 5;
+  private static final long PATIENCE_MILLIS = 500;
+  private static final Pattern STTY = Pattern.compile("\\s*(\\d{1,5})\\s+(\\d{1,5})\\s*");
+
+  /**
+   * How much it shows.
+   *
+   * @param columns characters in a line
+   * @param rows lines
+   */
+  public record Size(int columns, int rows) {
+
+    /** What a terminal has that does not say. */
+    public static final Size USUAL = new Size(80, 24);
+
+    /** More than anything that is shown. */
+    public static final Size BOUNDLESS = new Size(Integer.MAX_VALUE, Integer.MAX_VALUE);
+
+    /** Refuses a terminal that shows nothing. */
+    public Size {
+      if (columns < 1 || rows < 1) {
+        throw new IllegalArgumentException(
+            "a terminal of " + columns + " columns and " + rows + " rows shows nothing");
+      }
+    }
+
+    /** What {@code stty size} answered, rows first; nothing where it does not know either. */
+    public static Optional<Size> read(String answer) {
+      Matcher numbers = STTY.matcher(answer);
+      if (!numbers.matches()) {
+        return Optional.empty();
+      }
+      int rows = Integer.parseInt(numbers.group(1));
+      int columns = Integer.parseInt(numbers.group(2));
+      return rows > 0 && columns > 0 ? Optional.of(new Size(columns, rows)) : Optional.empty();
+    }
+  }
+
+  private final LongSupplier nanos;
+  private final Supplier<String> stty;
+  private Optional<Size> last = Optional.empty();
+  private long asked;
+
+  /** The one that this process was started in. */
+  public Terminal() {
+    this(System::nanoTime, Terminal::stty);
+  }
+
+  /**
+   * @param nanos a clock that only differences are taken of, in nanoseconds
+   * @param stty answers as {@code stty size} does
+   */
+  Terminal(LongSupplier nanos, Supplier<String> stty) {
+    this.nanos = nanos;
+    this.stty = stty;
+  }
+
+  /**
+   * Whether lines that were written can be written anew: not into a file or a pipe, and not where
+   * {@code NO_COLOR} is set or the terminal is {@code dumb}.
+   */
+  public static boolean canRedraw() {
+    return Ansi.AUTO.enabled() && !"dumb".equals(System.getenv("TERM"));
+  }
+
+  @Override
+  public Size get() {
+    long now = nanos.getAsLong();
+    if (last.isEmpty() || now - asked > TimeUnit.SECONDS.toNanos(SECONDS)) {
+      asked = now;
+      last = Optional.of(Size.read(stty.get()).or(() -> last).orElse(Size.USUAL));
+    }
+    return last.orElseThrow();
+  }
+
+  /** Nothing where there is no such program, no terminal, or no answer in time. */
+  private static String stty() {
+    try {
+      Process process =
+          new ProcessBuilder("stty", "size")
+              .redirectInput(new File("/dev/tty"))
+              .redirectError(ProcessBuilder.Redirect.DISCARD)
+              .start();
+      if (!process.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
+        process.destroyForcibly();
+        return "";
+      }
+      return new String(process.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+    } catch (IOException e) {
+      return ""; // the usual size does
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "";
+    }
+  }
+}

@@ -1,0 +1,101 @@
+package org.dfra.app.demo.stage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import org.dfra.app.terminal.Screen;
+import org.dfra.app.terminal.Terminal;
+import org.junit.jupiter.api.Test;
+
+/** What is said scrolls above what is drawn anew, and is the same where nothing is drawn. */
+class NarrationTest {
+
+  private final StringWriter out = new StringWriter();
+  private final Narration tell =
+      new Narration(new PrintWriter(out), () -> 0, true, () -> new Terminal.Size(30, 24));
+
+  private List<String> shown() {
+    Screen screen = new Screen();
+    screen.print(out.toString());
+    return screen.lines();
+  }
+
+  @Test
+  void everythingIsWrittenAboveTheBlock() {
+    tell.heading("A chapter");
+    tell.redraw(List.of("first", "second"));
+    tell.say("A sentence.");
+    tell.redraw(List.of("third", "fourth"));
+    tell.chapter("testing", "Another chapter");
+    tell.show(List.of("a table"));
+    tell.figure("seen", 1, 2, "m");
+    tell.table();
+    List<String> shown = shown();
+    assertThat(shown)
+        .startsWith(
+            "",
+            "A chapter",
+            "   0.000 s  A sentence.",
+            "",
+            "Another chapter",
+            "    a table",
+            "",
+            "Measured")
+        .endsWith(" third", " fourth")
+        .doesNotContain(" first", " second");
+    assertThat(shown.get(8)).as("a figure").contains("seen");
+    assertThat(shown).hasSize(11);
+  }
+
+  @Test
+  void aBlockThatIsSettledStaysWhereItIs() {
+    tell.redraw(List.of("first"));
+    tell.redraw(List.of("second"));
+    tell.settle();
+    tell.heading("A chapter");
+    tell.say("A sentence.");
+    assertThat(shown()).containsExactly(" second", "", "A chapter", "   0.000 s  A sentence.");
+  }
+
+  @Test
+  void aBlockIsCutWhereTheTerminalEnds() {
+    tell.redraw(List.of("a line that is wider than thirty characters"));
+    assertThat(shown()).containsExactly(" a line that is wider than th…");
+  }
+
+  @Test
+  void whereNothingIsDrawnNothingIsSaidToTheTerminal() {
+    tell.heading("A chapter");
+    tell.say("A sentence.");
+    tell.settle();
+    tell.show(List.of("a table"));
+    assertThat(out.toString()).doesNotContain("\u001b");
+    assertThat(shown())
+        .containsExactly("", "A chapter", "   0.000 s  A sentence.", "    a table", "");
+  }
+
+  @Test
+  void aSentenceIsBrokenWhereTheTerminalEnds() {
+    String words = "word ".repeat(30).strip();
+    for (int columns : new int[] {50, 80, 200}) {
+      StringWriter said = new StringWriter();
+      new Narration(new PrintWriter(said), () -> 0, true, () -> new Terminal.Size(columns, 24))
+          .say("%s", words);
+      int widest = said.toString().lines().mapToInt(String::length).max().orElseThrow();
+      assertThat(widest)
+          .as("on %d columns", columns)
+          .isBetween(columns > 96 ? 92 : columns - 5, Math.min(96, columns));
+    }
+  }
+
+  @Test
+  void aSentenceIsAsWideAsEverWhereThereIsNoTerminal() {
+    StringWriter said = new StringWriter();
+    new Narration(new PrintWriter(said), () -> 0, false, () -> new Terminal.Size(50, 24))
+        .say("%s", "word ".repeat(30).strip());
+    assertThat(said.toString().lines().mapToInt(String::length).max().orElseThrow())
+        .isBetween(92, 96);
+  }
+}
