@@ -36,7 +36,7 @@ final class Searches implements AutoCloseable {
   static final Duration PATIENCE = Duration.ofSeconds(120);
 
   /** Metres; so narrow that nobody is at the end of its search before the last call. */
-  private static final double SWATH = 1.25;
+  private static final double SWATH = 0.85;
 
   private static final double WIDTH = 13.5; // to the east, metres
   private static final double DEPTH = 8; // to the north, metres
