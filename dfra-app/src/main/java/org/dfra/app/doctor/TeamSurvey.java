@@ -35,18 +35,24 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 
-/** What can be seen of the team: its lookup services, and its robots' clocks. */
+/**
+ * What can be seen of the team: its lookup services, and its robots' clocks.
+ *
+ * <p>One peer is waited for 0.8 s, or a tenth of the patience that was asked for where that is
+ * longer: who waits long for a slow computer waits longer for its answers. All are asked at once.
+ */
 final class TeamSurvey
     implements RegistrarCheck.Search, ClockCheck.Clocks, StopCheck.Stops, AutoCloseable {
 
-  /** How long one peer is waited for; all are asked at once. */
-  private static final Duration DEADLINE = Duration.ofMillis(800);
+  /** How long one peer is waited for at least. */
+  private static final Duration LEAST_DEADLINE = Duration.ofMillis(800);
 
   /** The first answer is slow, since connections are made for it; more change little. */
   private static final int QUESTIONS = 8;
 
   private final JiniModuleDirectory directory;
   private final Duration patience;
+  private final Duration deadline;
   private final ExecutorService askers =
       Executors.newCachedThreadPool(
           task -> {
@@ -58,6 +64,13 @@ final class TeamSurvey
   private TeamSurvey(JiniModuleDirectory directory, Duration patience) {
     this.directory = directory;
     this.patience = patience;
+    this.deadline = deadline(patience);
+  }
+
+  /** How long one peer is waited for, see above. */
+  static Duration deadline(Duration patience) {
+    Duration share = patience.dividedBy(10);
+    return share.compareTo(LEAST_DEADLINE) > 0 ? share : LEAST_DEADLINE;
   }
 
   /** Begins to look. */
@@ -140,9 +153,9 @@ final class TeamSurvey
   }
 
   /** What a peer answered in time; empty if it failed or did not. */
-  private static <T> Optional<T> answer(Future<T> asked) throws InterruptedException {
+  private <T> Optional<T> answer(Future<T> asked) throws InterruptedException {
     try {
-      return Optional.of(asked.get(DEADLINE.toMillis(), TimeUnit.MILLISECONDS));
+      return Optional.of(asked.get(deadline.toMillis(), TimeUnit.MILLISECONDS));
     } catch (ExecutionException | TimeoutException e) {
       asked.cancel(true);
       return Optional.empty();

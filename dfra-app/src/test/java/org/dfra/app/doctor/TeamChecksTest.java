@@ -44,6 +44,12 @@ class TeamChecksTest {
         .isEqualTo(Verdict.OK);
   }
 
+  @Test
+  void whoWaitsLongerWaitsLongerForEachPeer() {
+    assertThat(TeamSurvey.deadline(Duration.ofSeconds(2))).isEqualTo(Duration.ofMillis(800));
+    assertThat(TeamSurvey.deadline(Duration.ofSeconds(60))).isEqualTo(Duration.ofSeconds(6));
+  }
+
   private static Finding seen(Seen seen) throws InterruptedException {
     return new RegistrarCheck(() -> new Survey(List.of(seen), List.of()), List.of(), false)
         .examine()

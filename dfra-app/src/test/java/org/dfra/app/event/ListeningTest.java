@@ -69,7 +69,7 @@ class ListeningTest {
               }
             },
             task -> new Thread(task, "listening").start());
-    await().until(() -> run.isDone() || talker.leases().clients() == 1);
+    await().atMost(LONG).until(() -> run.isDone() || talker.leases().clients() == 1);
     return run;
   }
 

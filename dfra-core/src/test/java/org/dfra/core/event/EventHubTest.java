@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -30,6 +31,8 @@ import org.junit.jupiter.api.Timeout;
 
 @Timeout(60)
 class EventHubTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   private record Tick(Instant measured) implements Reading {}
 
@@ -69,6 +72,17 @@ class EventHubTest {
             DeliveryPolicy.keepLast(8));
     long[] with = latencies();
     int threads = pool.threads();
+    // One that the computer held up counted as blocked too; it goes while events come.
+    for (int i = 0; i < HEALTHY; i++) {
+      add(delivery -> {}, DeliveryPolicy.latestReading());
+    }
+    await("two, and one for the stopped")
+        .atMost(PATIENCE)
+        .until(
+            () -> {
+              hub.publish(TICK);
+              return pool.threads() <= 3;
+            });
     stopped.countDown();
     hub.remove(blocked);
     System.out.printf(
@@ -76,7 +90,6 @@ class EventHubTest {
             + " %.3f; threads %d%n",
         HEALTHY, at(without, 0.5), at(without, 0.99), at(with, 0.5), at(with, 0.99), threads);
     assertThat(with).as("every event at every healthy listener").hasSize(EVENTS * HEALTHY);
-    assertThat(threads).as("two, and one for the stopped").isLessThanOrEqualTo(3);
   }
 
   private static double at(long[] sorted, double share) {
@@ -110,7 +123,7 @@ class EventHubTest {
       published.set(event, System.nanoTime());
       hub.publish(TICK);
     }
-    await().until(() -> done.get() == EVENTS * HEALTHY);
+    await().atMost(PATIENCE).until(() -> done.get() == EVENTS * HEALTHY);
     entries.forEach(hub::remove);
     long[] sorted = new long[EVENTS * HEALTHY];
     Arrays.setAll(sorted, took::get);
@@ -133,7 +146,7 @@ class EventHubTest {
     for (int i = 0; i < 10; i++) {
       hub.publish(TICK);
     }
-    await().until(() -> given.get() == 1);
+    await().atMost(PATIENCE).until(() -> given.get() == 1);
     assertThat(asked).hasValue(3);
     assertThat(hub.entries()).isEmpty();
   }
@@ -155,10 +168,10 @@ class EventHubTest {
     for (int i = 0; i < 10_000; i++) {
       hub.publish(TICK); // would not return if it waited
     }
-    await().until(() -> pool.threads() >= 10);
+    await().atMost(PATIENCE).until(() -> pool.threads() >= 10);
     assertThat(pool.threads()).as("two, and one for each blocked").isLessThanOrEqualTo(12);
     stopped.countDown();
-    await().until(() -> pool.threads() <= 2);
+    await().atMost(PATIENCE).until(() -> pool.threads() <= 2);
   }
 
   @Test

@@ -72,6 +72,7 @@ class ModuleImplTest {
     thread.setDaemon(true);
     thread.start();
     await()
+        .atMost(LONG)
         .until(
             () ->
                 thread.getState() == Thread.State.TIMED_WAITING
@@ -171,7 +172,7 @@ class ModuleImplTest {
               lamp.close();
               return lamp.readiness();
             });
-    await().until(() -> lamp.readiness() == Readiness.STOPPED);
+    await().atMost(LONG).until(() -> lamp.readiness() == Readiness.STOPPED);
     assertThat(lamp.calls).containsExactly("onStart");
     opened.countDown();
 

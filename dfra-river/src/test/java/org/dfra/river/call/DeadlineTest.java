@@ -47,6 +47,11 @@ class DeadlineTest {
     void fail() throws RemoteException, IOException;
   }
 
+  /** So late an overloaded machine may be; a call without a deadline would not end at all. */
+  private static final long SLOW_MILLIS = 15_000;
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
   private final CountDownLatch blocked = new CountDownLatch(1);
   private final CountDownLatch release = new CountDownLatch(1);
   private final ExecutorService threads = Executors.newCachedThreadPool();
@@ -96,7 +101,7 @@ class DeadlineTest {
 
   @Test
   void answerAndFailureArriveAsTheyAre() throws Exception {
-    Service service = export(2000);
+    Service service = export(20_000);
     assertThat(service.echo("hello")).isEqualTo("hello");
     assertThatExceptionOfType(IOException.class)
         .isThrownBy(service::fail)
@@ -106,14 +111,15 @@ class DeadlineTest {
   @Test
   void callThatIsNotAnsweredEndsAtItsDeadlineAndSaysThatItMayHaveRun() throws Exception {
     Service service = export(200);
+    await("connected").atMost(PATIENCE).until(() -> works(service));
     long began = System.nanoTime();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(service::block)
         .withMessageContaining("Service.block on TcpEndpoint")
         .withMessageContaining("got no answer within 200 ms; it may have run")
         .satisfies(e -> assertThat(e.mayHaveRun()).isTrue());
-    assertThat((System.nanoTime() - began) / 1_000_000).as("ms").isBetween(190L, 1200L);
-    assertThat(service.echo("on")).as("others go on").isEqualTo("on");
+    assertThat((System.nanoTime() - began) / 1_000_000).as("ms").isBetween(190L, SLOW_MILLIS);
+    await("others go on").atMost(PATIENCE).until(() -> works(service));
   }
 
   @Test
@@ -134,7 +140,7 @@ class DeadlineTest {
     caller.start();
     blocked.await();
     caller.interrupt();
-    caller.join(5000);
+    caller.join(SLOW_MILLIS);
     assertThat(seen.get())
         .isInstanceOf(CallInterruptedException.class)
         .hasMessageContaining("was interrupted while it waited for its answer; it may have run");
@@ -162,7 +168,7 @@ class DeadlineTest {
               }
             })
         .satisfies(e -> assertThat(e.mayHaveRun()).isFalse());
-    assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
+    assertThat(export(20_000).echo("other peers")).isEqualTo("other peers");
     // When the peer goes away its threads come free, and it is tried again.
     mute.close();
   }
@@ -217,10 +223,12 @@ class DeadlineTest {
         assertThat(e.mayHaveRun()).isFalse();
         refused = e.getMessage().contains("was not tried");
       }
-      assertThat((System.nanoTime() - began) / 1_000_000).as("ms of call %s", i).isLessThan(1200);
+      assertThat((System.nanoTime() - began) / 1_000_000)
+          .as("ms of call %s", i)
+          .isLessThan(SLOW_MILLIS);
     }
     assertThat(refused).as("a call was not even tried").isTrue();
-    assertThat(export(2000).echo("other peers")).isEqualTo("other peers");
+    assertThat(export(20_000).echo("other peers")).isEqualTo("other peers");
   }
 
   @Test
@@ -308,7 +316,7 @@ class DeadlineTest {
       assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::block);
     }
     release.countDown();
-    await("calls get through again").atMost(Duration.ofSeconds(10)).until(() -> works(service));
+    await("calls get through again").atMost(PATIENCE).until(() -> works(service));
   }
 
   private static boolean works(Service service) {

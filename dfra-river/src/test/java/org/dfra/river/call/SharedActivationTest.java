@@ -5,6 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.rmi.ConnectException;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -17,12 +18,14 @@ import org.junit.jupiter.api.Test;
 /** What many callers of one dead object do to each other. */
 class SharedActivationTest extends ResurrectionFixture {
 
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
   @Test
   void callersThatShareAProxyShareOneActivation() throws Exception {
     CountDownLatch answer = new CountDownLatch(1);
     id.activating =
         force -> {
-          await("answer").until(() -> answer.getCount() == 0);
+          await("answer").atMost(PATIENCE).until(() -> answer.getCount() == 0);
           return ResurrectingExporter.proxy(id, live("new"));
         };
     Service service = proxy(gone());
@@ -30,7 +33,7 @@ class SharedActivationTest extends ResurrectionFixture {
     for (int i = 0; i < 32; i++) {
       callers.add(threads.submit(service::read));
     }
-    await("the activator is asked").until(() -> !id.asked.isEmpty());
+    await("the activator is asked").atMost(PATIENCE).until(() -> !id.asked.isEmpty());
     answer.countDown();
     for (Future<String> each : callers) {
       assertThat(each.get()).isEqualTo("new");
@@ -62,10 +65,10 @@ class SharedActivationTest extends ResurrectionFixture {
               }
             });
     impatient.start();
-    await("the activator is asked").until(() -> !id.asked.isEmpty());
+    await("the activator is asked").atMost(PATIENCE).until(() -> !id.asked.isEmpty());
     Future<String> patient = threads.submit(service::read);
     impatient.interrupt();
-    impatient.join(5000);
+    impatient.join(PATIENCE.toMillis());
     assertThat(first.get()).isInstanceOf(CallInterruptedException.class);
     answer.countDown();
     assertThat(patient.get()).isEqualTo("new");
@@ -86,7 +89,7 @@ class SharedActivationTest extends ResurrectionFixture {
             return ResurrectingExporter.proxy(id, live("stale", dead, dead, dead));
           }
           unforced.countDown();
-          await("release").until(() -> slow.getCount() == 0);
+          await("release").atMost(PATIENCE).until(() -> slow.getCount() == 0);
           return ResurrectingExporter.proxy(id, live("stale", dead, dead, dead));
         };
     Service service = proxy(live("stale", dead, dead, dead, dead));

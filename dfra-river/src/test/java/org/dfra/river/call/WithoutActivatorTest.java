@@ -1,5 +1,6 @@
 package org.dfra.river.call;
 
+import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.awaitility.Awaitility.await;
@@ -117,7 +118,7 @@ class WithoutActivatorTest extends ResurrectionFixture {
         new Live("dead", null, new DeadlineExceededException("late"), new ConnectException("x"));
     id.activating =
         force -> {
-          await("the last proxy is tried").until(() -> dead.calls() == 2);
+          await("the last proxy is tried").atMost(30, SECONDS).until(() -> dead.calls() == 2);
           return ResurrectingExporter.proxy(id, live("new"));
         };
     Service service = proxy(proxyOf(dead));

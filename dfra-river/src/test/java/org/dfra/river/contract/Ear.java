@@ -41,7 +41,7 @@ final class Ear implements ModuleListener {
 
   /** Waits for so many. */
   List<Delivery> await(int count) {
-    Duration patience = Duration.ofSeconds(10);
+    Duration patience = Duration.ofSeconds(20);
     org.awaitility.Awaitility.await().atMost(patience).until(() -> heard.size() >= count);
     return heard;
   }

@@ -67,7 +67,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
   @Test
   void aCommanderThatDiedLosesTheHelmWhenItsLeaseRunsOut() throws Exception {
     RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
-    CommandLease dead = remote.command(Duration.ofSeconds(2)); // what a proxy would renew
+    CommandLease dead = remote.command(Duration.ofSeconds(6)); // what a proxy would renew
     assertThat(dead).isInstanceOf(LeasedCommand.class);
     remote.obey(dead.key(), new Velocity(0.5, 0));
     await().atMost(PATIENCE).until(() -> driver().leases().leases().isEmpty());
@@ -80,7 +80,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
 
   @Test
   void aLivingCommandersLeaseIsRenewed() throws Exception {
-    try (CommandLease lease = proxy.command(Duration.ofSeconds(2))) {
+    try (CommandLease lease = proxy.command(Duration.ofSeconds(10))) {
       Instant first = lease.expiration();
       await()
           .atMost(PATIENCE)

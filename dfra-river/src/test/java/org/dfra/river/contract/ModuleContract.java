@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Set;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
@@ -32,6 +33,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Timeout(60)
 abstract class ModuleContract {
 
+  /** An overloaded machine may take its time. */
+  static final Duration PATIENCE = Duration.ofSeconds(20);
+
   static final String PATH = "atrv1/gps_front";
 
   /** The module, as its client holds it. */
@@ -47,7 +51,7 @@ abstract class ModuleContract {
   @Test
   void saysWhoItIsAndServes() throws Exception {
     assertThat(module().identification().path()).isEqualTo(PATH);
-    assertThat(module().awaitReadiness(Duration.ofSeconds(5))).isEqualTo(Readiness.READY);
+    assertThat(module().awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
     assertThat(module().fix().position()).isEqualTo(driver().fix().position());
   }
 
@@ -106,7 +110,7 @@ abstract class ModuleContract {
       }
       driver().solve(21);
       ear.open();
-      await().until(() -> ear.latitudes().contains(21.0));
+      await().atMost(PATIENCE).until(() -> ear.latitudes().contains(21.0));
       long dropped = ear.heard().stream().mapToLong(Delivery::dropped).sum();
       assertThat(subscription.lost()).isPositive().isEqualTo(dropped);
       assertThat(subscription.received() + subscription.lost()).isEqualTo(22);
@@ -123,7 +127,7 @@ abstract class ModuleContract {
       for (int i = 0; i < 100; i++) {
         driver().solve(i * 0.5);
       }
-      await().until(() -> ear.latitudes().contains(49.5));
+      await().atMost(PATIENCE).until(() -> ear.latitudes().contains(49.5));
       double seconds = (System.nanoTime() - began) / 1e9;
       assertThat((double) ear.heard().size()).isLessThanOrEqualTo(1 + seconds * 20);
       assertThat(subscription.received() + subscription.lost()).isEqualTo(100);
@@ -150,7 +154,7 @@ abstract class ModuleContract {
     Subscription closed = module().subscribe(ear, READINGS);
     closed.close();
     closed.close();
-    await().until(() -> driver().leases().clients() == 0);
+    await().atMost(PATIENCE).until(() -> driver().leases().clients() == 0);
     try (Subscription unused = module().subscribe(other, READINGS)) {
       driver().solve(1);
       other.await(1);
@@ -163,21 +167,22 @@ abstract class ModuleContract {
     try (Subscription watching = module().subscribe(new Ear(), OTHERS)) {
       assertThat(module().readiness()).isEqualTo(Readiness.READY);
       try (Subscription listening = module().subscribe(new Ear(), READINGS)) {
-        await().until(() -> module().readiness() == Readiness.ACTIVE);
+        await().atMost(PATIENCE).until(() -> module().readiness() == Readiness.ACTIVE);
         assertThat(driver().clients).isEqualTo(1);
       }
-      await().until(() -> module().readiness() == Readiness.READY);
+      await().atMost(PATIENCE).until(() -> module().readiness() == Readiness.READY);
       assertThat(driver().clients).isZero();
     }
   }
 
   @Test
   void isActiveWhileItHasClients() throws Exception {
+    Instant asked = Instant.now();
     ModuleLease first = module().use(Duration.ofSeconds(30));
-    ModuleLease second = module().use(Duration.ofSeconds(3));
+    assertThat(first.expiration())
+        .isBetween(asked.plusSeconds(28), Instant.now().plusSeconds(32)); // 30, within 2
+    ModuleLease second = module().use(Duration.ofSeconds(20));
     assertThat(first.isLive()).isTrue();
-    assertThat(Duration.between(java.time.Instant.now(), first.expiration()).toMillis() / 1e3)
-        .isCloseTo(30, within(2.0));
     assertThat(module().readiness()).isEqualTo(Readiness.ACTIVE);
     assertThat(driver().clients).isEqualTo(2);
     driver().lose();
@@ -186,7 +191,7 @@ abstract class ModuleContract {
     first.close();
     first.close();
     second.close();
-    await().until(() -> module().readiness() == Readiness.READY);
+    await().atMost(PATIENCE).until(() -> module().readiness() == Readiness.READY);
     assertThat(first.isLive()).isFalse();
     assertThat(driver().clients).isZero();
   }

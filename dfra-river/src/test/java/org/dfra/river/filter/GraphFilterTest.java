@@ -139,7 +139,7 @@ class GraphFilterTest {
     byte[] bomb = Payload.bytes(Payload.bomb(30)); // 2 to the 30 where it is built
     long began = System.nanoTime();
     assertRefused(bomb).hasMessageContaining("objects nested");
-    assertThat(System.nanoTime() - began).isLessThan(TimeUnit.SECONDS.toNanos(5));
+    assertThat(System.nanoTime() - began).isLessThan(TimeUnit.SECONDS.toNanos(20));
   }
 
   @Test

@@ -71,7 +71,7 @@ abstract class GroupFixture {
           return id.activate(force);
         };
     Future<?> result = threads.submit(call);
-    await("the caller").until(() -> begun.getCount() == 0);
+    await("the caller").atMost(InVmPhoenix.PATIENCE).until(() -> begun.getCount() == 0);
     return result;
   }
 

@@ -23,7 +23,7 @@ import org.dfra.core.host.FreePorts;
 final class InVmPhoenix implements AutoCloseable {
 
   /** How long a test waits for what should come at once. */
-  static final Duration PATIENCE = Duration.ofSeconds(15);
+  static final Duration PATIENCE = Duration.ofSeconds(30);
 
   final Path folder;
   private int port;

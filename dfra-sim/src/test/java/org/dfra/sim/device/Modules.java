@@ -1,11 +1,15 @@
 package org.dfra.sim.device;
 
 import java.time.Duration;
+import java.util.List;
+import java.util.regex.Pattern;
 import org.awaitility.Awaitility;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.DeviceImpl;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.module.Diagnosis;
+import org.dfra.module.Incident;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
@@ -22,6 +26,9 @@ public final class Modules {
 
   /** An overloaded machine may take its time; what does not come at all takes this long to fail. */
   private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  /** As in {@code no scan for 2.2 s}. */
+  private static final Pattern SILENCE = Pattern.compile("\\bno .+ for [0-9.]+ s\\b");
 
   private Modules() {}
 
@@ -62,6 +69,36 @@ public final class Modules {
     await(test)
         .until(
             () -> module.test(test).finding(), text -> text.startsWith("the link is not open: "));
+  }
+
+  /**
+   * Waits until a test of a module passes: where the computer stands still for a moment, a device
+   * is silent by a fast clock.
+   */
+  public static Diagnosis awaitPassed(DeviceImpl module, String test) {
+    return await(test).until(() -> module.test(test), Diagnosis::passed);
+  }
+
+  /** The same, for each of its tests. */
+  public static void awaitPassed(DeviceImpl module) {
+    module.tests().forEach(test -> awaitPassed(module, test));
+  }
+
+  /** Waits until a recovery of a module is done, for the same reason. */
+  public static Diagnosis awaitRecovered(DeviceImpl module, String recovery) {
+    return await(recovery).until(() -> module.recover(recovery), Diagnosis::passed);
+  }
+
+  /**
+   * The failures of a module that are not of a device that was silent, as each is by a fast clock
+   * where the computer stands still.
+   */
+  public static List<String> failuresButSilence(ModuleImpl module) {
+    return module.history().recent().stream()
+        .filter(each -> each.kind() == Incident.Kind.FAILURE)
+        .map(Incident::what)
+        .filter(what -> !SILENCE.matcher(what).find())
+        .toList();
   }
 
   /** What a parameter is now. */

@@ -71,7 +71,7 @@ class SerialPortReceiverTest {
         emulator.cable().restore();
         awaitReadiness(gps, Readiness.READY);
         await().until(() -> gps.fix().utc().isAfter(before));
-        assertThat(gps.history().failures()).isEqualTo(1);
+        assertThat(gps.history().failures()).isPositive();
         assertThat(gps.history().recent())
             .extracting(Incident::kind)
             .contains(Incident.Kind.FAILURE, Incident.Kind.RECOVERY);

