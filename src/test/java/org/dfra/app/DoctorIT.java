@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
@@ -49,7 +50,12 @@ class DoctorIT {
       Outcome well =
           await()
               .atMost(PATIENCE.multipliedBy(3))
-              .until(() -> doctor(processes, state), each -> found(each, "clock").contains("ok"));
+              .until(
+                  () -> {
+                    Outcome said = doctor(processes, state);
+                    return found(said, "clock").contains("ok") ? said : null;
+                  },
+                  Objects::nonNull);
       assertThat(found(well, "java")).containsExactly("ok");
       assertThat(found(well, "boot-jar")).containsExactly("ok");
       assertThat(found(well, "state-folder")).containsExactly("ok");
