@@ -12,6 +12,8 @@ import java.util.List;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -42,6 +44,7 @@ class DriveIT {
 
   @TempDir Path folder;
 
+  private final StallProbe probe = StallProbe.start();
   private WheeledRobot robot;
   private Wheels wheels;
   private LivingPhoenix phoenix;
@@ -57,6 +60,7 @@ class DriveIT {
 
   @AfterEach
   void takeDown() throws Exception {
+    probe.close();
     if (robot != null) { // else it has said why, and nothing is left of it
       robot.close();
     }
@@ -79,6 +83,7 @@ class DriveIT {
 
   @Test
   void threeModulesShareOneControllerAndAreFoundByWhatTheyCanDo() throws Exception {
+    StallProbe.Stopwatch running = probe.stopwatch();
     ModuleListing<?> counted = find("OdometrySensor with sensor.reading = Odometry");
     ModuleListing<?> fed = find("BatterySensor");
     assertThat(find("DriveEffector with drive.length <= 0.8").attributes())
@@ -96,11 +101,23 @@ class DriveIT {
     }
     wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
     for (Module each : List.of(drive, odometry, battery)) {
-      assertThat(each.history().recent())
-          .filteredOn(incident -> incident.kind() == Incident.Kind.FAILURE)
-          .extracting(Incident::what)
-          .as("failures of %s, but for reports that come late on a busy machine", each)
+      assertNoFailures(each, running.stop());
+    }
+  }
+
+  /** Reports that came late are excused only where the computer itself stalled. */
+  private static void assertNoFailures(Module module, Timing timing) throws RemoteException {
+    List<String> failures =
+        module.history().recent().stream()
+            .filter(incident -> incident.kind() == Incident.Kind.FAILURE)
+            .map(Incident::what)
+            .toList();
+    if (!failures.isEmpty() && timing.isStalled()) {
+      System.out.println("MISSED DURING A STALL: failures of " + module + ": " + failures);
+      assertThat(failures)
           .allMatch(what -> what.matches(".*\\bno report .* (for|has come within) .*"));
+    } else {
+      assertThat(failures).as("failures of %s; %s", module, timing).isEmpty();
     }
   }
 

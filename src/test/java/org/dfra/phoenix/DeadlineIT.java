@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.awaitility.Awaitility.await;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.awaitility.core.ConditionFactory;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.river.call.DeadlineExceededException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -19,11 +22,13 @@ import org.junit.jupiter.api.Test;
 /** Calls to a server that was stopped, as {@code kill -STOP} does, beside one that runs. */
 class DeadlineIT {
 
-  /** Of each call, milliseconds. */
-  private static final long DEADLINE = 2000;
+  /** Of each call. */
+  private static final Duration DEADLINE = Duration.ofSeconds(2);
 
-  /** What a busy machine may add to it before this is not told from waiting for ever. */
-  private static final long SLOW_MACHINE = 15_000;
+  /** The requirement for the report of a silent peer. */
+  private static final Duration REPORTED = Duration.ofSeconds(3);
+
+  private final StallProbe probe = StallProbe.start();
 
   private final ExecutorService threads = Executors.newCachedThreadPool();
   private RemoteBeacon silent;
@@ -47,6 +52,7 @@ class DeadlineIT {
 
   @AfterEach
   void end() throws Exception {
+    probe.close();
     threads.shutdownNow();
     silent.close();
     living.close();
@@ -55,18 +61,21 @@ class DeadlineIT {
   @Test
   void stoppedServerIsReportedInTimeBlocksNobodyAndWorksAgain() throws Exception {
     silent.signal("STOP");
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     List<Future<Long>> stuck = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
       stuck.add(threads.submit(() -> silent.proxy.pid()));
     }
     int answered = 0;
+    Timing slowest = probe.stopwatch().stop();
     while (!stuck.stream().allMatch(Future::isDone)) {
+      StallProbe.Stopwatch asked = probe.stopwatch();
       answered += isAnswered(living) ? 1 : 0;
+      Timing call = asked.stop();
+      slowest = call.took().compareTo(slowest.took()) > 0 ? call : slowest;
     }
-    assertThat(millisSince(began))
-        .as("ms until the stopped server was reported")
-        .isBetween(DEADLINE - 100, SLOW_MACHINE);
+    Timing reported = began.stop();
+    assertThat(reported.took()).isGreaterThan(DEADLINE.minusMillis(100));
     assertThat(answered).as("calls to the other one meanwhile").isGreaterThan(20);
     for (Future<Long> each : stuck) {
       assertThatExceptionOfType(java.util.concurrent.ExecutionException.class)
@@ -78,28 +87,32 @@ class DeadlineIT {
     silent.signal("CONT");
     patiently("the server answers again")
         .untilAsserted(() -> assertThat(silent.proxy.pid()).isEqualTo(silent.process.pid()));
+    reported.requireWithin("the report of a stopped server", REPORTED);
+    slowest.requireWithin("the slowest call to another server", Duration.ofSeconds(1));
   }
 
   @Test
   void loadTooBigForTheSocketsOfAStoppedServerIsGivenUpInTime() throws Exception {
     silent.signal("STOP");
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(() -> silent.proxy.length(new byte[16 << 20]));
-    assertThat(millisSince(began)).as("ms").isBetween(DEADLINE - 100, SLOW_MACHINE);
+    Timing reported = began.stop();
+    assertThat(reported.took()).isGreaterThan(DEADLINE.minusMillis(100));
     patiently("the other one takes loads")
         .untilAsserted(() -> assertThat(living.proxy.length(new byte[1 << 20])).isEqualTo(1 << 20));
     silent.signal("CONT");
     patiently("the server answers again")
         .untilAsserted(() -> assertThat(silent.proxy.pid()).isEqualTo(silent.process.pid()));
+    reported.requireWithin("the report of a stopped server that takes a load", REPORTED);
   }
 
   @Test
   void killedServerIsReportedAtOnce() throws Exception {
     silent.close();
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(RemoteException.class).isThrownBy(() -> silent.proxy.pid());
-    assertThat(millisSince(began)).as("ms").isLessThan(SLOW_MACHINE);
+    began.stop().requireWithin("the report of a killed server", Duration.ofMillis(1500));
   }
 
   private static boolean isAnswered(RemoteBeacon beacon) {
@@ -108,9 +121,5 @@ class DeadlineIT {
     } catch (RemoteException e) {
       return false; // a machine that stands still lets a call miss its deadline
     }
-  }
-
-  private static long millisSince(long nanos) {
-    return (System.nanoTime() - nanos) / 1_000_000;
   }
 }

@@ -13,6 +13,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -41,10 +43,15 @@ class SubscriptionIT {
   private static final String HOST = "127.0.0.1";
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
-  /** The requirement. */
+  /** The requirement for a subscription and a lease after a crash. */
   private static final Duration BACK = Duration.ofSeconds(5);
 
+  /** The requirement for a silent peer. */
+  private static final Duration REPORTED = Duration.ofSeconds(3);
+
   @TempDir Path folder;
+
+  private final StallProbe probe = StallProbe.start();
 
   private LivingPhoenix phoenix;
   private M12Emulator receiver;
@@ -86,6 +93,7 @@ class SubscriptionIT {
 
   @AfterEach
   void takeDown() throws Exception {
+    probe.close();
     directory.close();
     phoenix.close();
     receiver.close();
@@ -98,28 +106,31 @@ class SubscriptionIT {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 2);
       Delivery last = heard.get(heard.size() - 1);
 
-      Instant killed = Instant.now();
+      StallProbe.Stopwatch killed = probe.stopwatch();
       phoenix.kill("zeta.gps");
       await()
           .atMost(PATIENCE)
           .pollInterval(Duration.ofMillis(20))
           .until(() -> heard.get(heard.size() - 1).epoch() > last.epoch());
-      Duration back = Duration.between(killed, Instant.now());
+      Timing back = killed.stop();
       phoenix.note();
       await().atMost(PATIENCE).until(() -> fixes(last.epoch() + 1) >= 2);
 
       System.out.printf(
           "listening again %.1f s after kill -9; %d events received, %d lost%n",
-          back.toMillis() / 1e3, subscription.received(), subscription.lost());
+          back.took().toMillis() / 1e3, subscription.received(), subscription.lost());
       assertThat(subscription.lost()).as("what nobody was told at its start").isPositive();
       patiently().until(lease::isLive);
       patiently().until(() -> gps.readiness() == Readiness.ACTIVE);
+      Timing held = killed.stop();
       History history = gps.history();
       assertThat(history.activations()).isEqualTo(2);
       assertThat(history.recent())
           .extracting(Incident::kind)
           .containsSubsequence(
               Incident.Kind.ACTIVATION, Incident.Kind.FAILURE, Incident.Kind.ACTIVATION);
+      back.requireWithin("listening again after kill -9", BACK);
+      held.requireWithin("the lease counting again after kill -9", BACK);
     }
     patiently().until(() -> gps.readiness() == Readiness.READY);
     assertThat(gps.updateRate()).as("nobody needs it any more").isEqualTo(0.1);
@@ -130,22 +141,24 @@ class SubscriptionIT {
     try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10))) {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 1);
       long pid = phoenix.group("zeta.gps").pid();
-      Instant stopped = Instant.now();
+      StallProbe.Stopwatch stopped = probe.stopwatch();
+      Timing noticed;
       signal("STOP", pid);
       try {
         await()
             .atMost(PATIENCE)
             .pollInterval(Duration.ofMillis(20))
             .until(() -> subscription.interruptedSince().isPresent());
+        noticed = stopped.stop();
         System.out.printf(
-            "a stopped server was noticed after %.1f s%n",
-            Duration.between(stopped, Instant.now()).toMillis() / 1e3);
+            "a stopped server was noticed after %.1f s%n", noticed.took().toMillis() / 1e3);
       } finally {
         signal("CONT", pid);
       }
       int before = fixes(0);
       await().atMost(PATIENCE).until(() -> subscription.interruptedSince().isEmpty());
       await().atMost(PATIENCE).until(() -> fixes(0) > before);
+      noticed.requireWithin("a silent server being reported", REPORTED);
     }
   }
 

@@ -32,6 +32,8 @@ import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.BasicObjectEndpoint;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -47,8 +49,8 @@ class DeadlineTest {
     void fail() throws RemoteException, IOException;
   }
 
-  /** So late an overloaded machine may be; a call without a deadline would not end at all. */
-  private static final long SLOW_MILLIS = 15_000;
+  /** A call with a deadline of at most 200 ms has ended by then. */
+  private static final Duration ENDED = Duration.ofMillis(1200);
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
@@ -56,6 +58,7 @@ class DeadlineTest {
   private final CountDownLatch release = new CountDownLatch(1);
   private final ExecutorService threads = Executors.newCachedThreadPool();
   private final List<AutoCloseable> open = new ArrayList<>();
+  private final StallProbe probe = StallProbe.start();
 
   private final class Server implements Service {
     @Override
@@ -92,6 +95,7 @@ class DeadlineTest {
 
   @AfterEach
   void end() throws Exception {
+    probe.close();
     release.countDown();
     threads.shutdownNow();
     for (AutoCloseable each : open) {
@@ -112,14 +116,16 @@ class DeadlineTest {
   void callThatIsNotAnsweredEndsAtItsDeadlineAndSaysThatItMayHaveRun() throws Exception {
     Service service = export(200);
     await("connected").atMost(PATIENCE).until(() -> works(service));
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(service::block)
         .withMessageContaining("Service.block on TcpEndpoint")
         .withMessageContaining("got no answer within 200 ms; it may have run")
         .satisfies(e -> assertThat(e.mayHaveRun()).isTrue());
-    assertThat((System.nanoTime() - began) / 1_000_000).as("ms").isBetween(190L, SLOW_MILLIS);
+    Timing ended = began.stop();
+    assertThat(ended.took()).isGreaterThan(Duration.ofMillis(190));
     await("others go on").atMost(PATIENCE).until(() -> works(service));
+    ended.requireWithin("a call with a deadline of 200 ms", ENDED);
   }
 
   @Test
@@ -139,8 +145,10 @@ class DeadlineTest {
             });
     caller.start();
     blocked.await();
+    StallProbe.Stopwatch interrupted = probe.stopwatch();
     caller.interrupt();
-    caller.join(SLOW_MILLIS);
+    caller.join(PATIENCE.toMillis());
+    interrupted.stop().requireWithin("the end of an interrupted call", Duration.ofSeconds(5));
     assertThat(seen.get())
         .isInstanceOf(CallInterruptedException.class)
         .hasMessageContaining("was interrupted while it waited for its answer; it may have run");
@@ -216,16 +224,14 @@ class DeadlineTest {
     Service service = proxy(full.getLocalPort(), 20);
     boolean refused = false;
     for (int i = 0; i < 200 && !refused; i++) { // each holds its thread until connecting fails
-      long began = System.nanoTime();
+      StallProbe.Stopwatch began = probe.stopwatch();
       try {
         service.echo("x");
       } catch (DeadlineExceededException e) {
         assertThat(e.mayHaveRun()).isFalse();
         refused = e.getMessage().contains("was not tried");
       }
-      assertThat((System.nanoTime() - began) / 1_000_000)
-          .as("ms of call %s", i)
-          .isLessThan(SLOW_MILLIS);
+      began.stop().requireWithin("call " + i + " with a deadline of 20 ms", ENDED);
     }
     assertThat(refused).as("a call was not even tried").isTrue();
     assertThat(export(20_000).echo("other peers")).isEqualTo("other peers");

@@ -1,0 +1,154 @@
+package org.dfra.core.time;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
+
+/**
+ * Measures whether this computer runs its programs on time, so that a program that was late can be
+ * told from a program that was kept waiting.
+ *
+ * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
+ * that is a <em>stall</em>: the computer was suspended, swapped, or its host gave it no processor.
+ * At the same pace the thread reads how many threads of the whole computer want to run. Where they
+ * are more than the processors, each program runs slower by that ratio, without any stall.
+ *
+ * <pre>
+ *   try (StallProbe probe = StallProbe.start()) {
+ *     StallProbe.Stopwatch watch = probe.stopwatch();
+ *     ...
+ *     watch.stop().requireWithin("listening again after kill -9", Duration.ofSeconds(5));
+ *   }
+ * </pre>
+ *
+ * <p>The thread is a daemon; {@link #start()} starts it and {@link #close()} ends it.
+ */
+public final class StallProbe implements AutoCloseable {
+
+  /** How long the probe sleeps between two measurements. */
+  public static final Duration PERIOD = Duration.ofMillis(20);
+
+  private static final long PERIOD_NANOS = PERIOD.toNanos();
+
+  /** A timer may be late by this without anything being wrong, in nanoseconds. */
+  private static final long USUAL_LATENESS_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  private static final Path LOAD = Path.of("/proc/loadavg");
+
+  private final LongSupplier nanos;
+  private final DoubleSupplier load;
+  private final Thread thread = new Thread(this::run, "dfra-stall-probe");
+
+  private volatile boolean closed;
+
+  // Guarded by this.
+  private long due;
+  private long stalledNanos;
+  private double loadSum;
+  private long measurements;
+
+  StallProbe(LongSupplier nanos, DoubleSupplier load) {
+    this.nanos = nanos;
+    this.load = load;
+    this.due = nanos.getAsLong() + PERIOD_NANOS;
+    thread.setDaemon(true);
+  }
+
+  /** Starts to measure, until it is closed. */
+  public static StallProbe start() {
+    StallProbe probe = new StallProbe(System::nanoTime, StallProbe::runnablePerProcessor);
+    probe.thread.start();
+    return probe;
+  }
+
+  /** Begins to time something. */
+  public Stopwatch stopwatch() {
+    return new Stopwatch();
+  }
+
+  /** Ends the measurement; stopwatches that are stopped later see nothing of the time after it. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+  }
+
+  private void run() {
+    while (!closed) {
+      long wait = waitNanos();
+      if (wait > 0) {
+        LockSupport.parkNanos(this, wait);
+      } else {
+        measure();
+      }
+    }
+  }
+
+  private synchronized long waitNanos() {
+    return due - nanos.getAsLong();
+  }
+
+  /** One measurement, at the end of a sleep. */
+  synchronized void measure() {
+    long now = nanos.getAsLong();
+    stalledNanos += stallAt(now);
+    loadSum += load.getAsDouble();
+    measurements++;
+    due = now + PERIOD_NANOS;
+  }
+
+  private long stallAt(long now) {
+    long late = now - due;
+    return late > USUAL_LATENESS_NANOS ? late : 0;
+  }
+
+  /** Threads of this computer that run or want to, per processor; 1 where that is not known. */
+  private static double runnablePerProcessor() {
+    try {
+      String text = Files.readString(LOAD); // 0.20 0.18 0.12 1/80 11206
+      int end = text.indexOf('/');
+      int begin = text.lastIndexOf(' ', end) + 1;
+      double runnable = Double.parseDouble(text.substring(begin, end));
+      return runnable / Runtime.getRuntime().availableProcessors();
+    } catch (IOException | IndexOutOfBoundsException | NumberFormatException e) {
+      return 1; // not Linux: only stalls are seen
+    }
+  }
+
+  /** Times one thing. */
+  public final class Stopwatch {
+
+    private final long began;
+    private final long stalledBefore;
+    private final double loadBefore;
+    private final long measurementsBefore;
+
+    private Stopwatch() {
+      synchronized (StallProbe.this) {
+        began = nanos.getAsLong();
+        stalledBefore = stalledNanos + (closed ? 0 : stallAt(began));
+        loadBefore = loadSum;
+        measurementsBefore = measurements;
+      }
+    }
+
+    /** What has been measured since this stopwatch began. It goes on and may be stopped again. */
+    public Timing stop() {
+      synchronized (StallProbe.this) {
+        long now = nanos.getAsLong();
+        // A stall that just ends may have woken this thread before the probe's.
+        long stalled = stalledNanos + (closed ? 0 : stallAt(now)) - stalledBefore;
+        long count = measurements - measurementsBefore;
+        return new Timing(
+            Duration.ofNanos(now - began),
+            Duration.ofNanos(Math.max(0, stalled)),
+            count == 0 ? 1 : (loadSum - loadBefore) / count);
+      }
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.dfra.core.time;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import org.dfra.core.time.Timing.Outcome;
+import org.junit.jupiter.api.Test;
+
+class StallProbeTest {
+
+  private static final Duration BOUND = Duration.ofSeconds(5);
+
+  private final AtomicLong now = new AtomicLong(1_000_000_000L);
+  private final AtomicReference<Double> load = new AtomicReference<>(0.5);
+  private final StallProbe probe = new StallProbe(now::get, load::get);
+
+  private void measureFor(Duration time) {
+    for (long i = 0; i < time.dividedBy(StallProbe.PERIOD); i++) {
+      pass(StallProbe.PERIOD);
+      probe.measure();
+    }
+  }
+
+  private void pass(Duration time) {
+    now.addAndGet(time.toNanos());
+  }
+
+  @Test
+  void timeOnAComputerThatRunsItsProgramsIsTheProgramsOwn() {
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    measureFor(Duration.ofSeconds(6));
+    Timing timing = watch.stop();
+    assertThat(timing).isEqualTo(new Timing(Duration.ofSeconds(6), Duration.ZERO, 0.5));
+    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED);
+    assertThat(timing.against(Duration.ofSeconds(6))).isEqualTo(Outcome.MET);
+    assertThatThrownBy(() -> timing.requireWithin("listening again", BOUND))
+        .isInstanceOf(AssertionError.class)
+        .hasMessage(
+            "listening again took 6.000 s, bound 5.000 s; the computer stalled for 0.000 s of it,"
+                + " with 0.5 runnable threads per processor");
+  }
+
+  @Test
+  void aStallExplainsAMissThatIsNoLongerThanIt() {
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    measureFor(Duration.ofSeconds(4));
+    pass(Duration.ofSeconds(2));
+    probe.measure();
+    Timing timing = watch.stop();
+    assertThat(timing.took()).isEqualTo(Duration.ofSeconds(6));
+    assertThat(timing.stalled()).isEqualTo(Duration.ofMillis(1980));
+    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    assertThat(timing.against(Duration.ofSeconds(3))).isEqualTo(Outcome.MISSED);
+  }
+
+  @Test
+  void aStallIsSeenAlsoByAProgramThatWakesBeforeTheProbe() {
+    measureFor(Duration.ofSeconds(1));
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    pass(Duration.ofSeconds(6));
+    assertThat(watch.stop().stalled()).isEqualTo(Duration.ofMillis(5980));
+    StallProbe.Stopwatch after = probe.stopwatch();
+    probe.measure();
+    assertThat(after.stop().stalled()).as("counted once").isZero();
+  }
+
+  @Test
+  void anOverloadExplainsAMissByItsRatio() {
+    load.set(3.0);
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    measureFor(Duration.ofSeconds(12));
+    Timing timing = watch.stop();
+    assertThat(timing.adjusted()).isEqualTo(Duration.ofSeconds(4));
+    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    assertThat(timing.against(Duration.ofSeconds(3))).isEqualTo(Outcome.MISSED);
+  }
+
+  @Test
+  void timersThatAreLateByMillisecondsAreNoStall() {
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    for (int i = 0; i < 100; i++) {
+      pass(StallProbe.PERIOD.plusMillis(4));
+      probe.measure();
+    }
+    assertThat(watch.stop().stalled()).isZero();
+  }
+
+  @Test
+  void measuresThisComputer() throws InterruptedException {
+    try (StallProbe real = StallProbe.start()) {
+      StallProbe.Stopwatch watch = real.stopwatch();
+      Timing timing = watch.stop();
+      while (timing.took().compareTo(StallProbe.PERIOD.multipliedBy(5)) < 0) {
+        Thread.onSpinWait();
+        timing = watch.stop();
+      }
+      assertThat(timing.load()).as("this thread runs").isPositive();
+      assertThat(timing.stalled()).isLessThan(timing.took());
+    }
+  }
+}
