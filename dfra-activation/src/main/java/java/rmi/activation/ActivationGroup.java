@@ -1,5 +1,7 @@
 package java.rmi.activation;
 
+import java.io.Closeable;
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.net.InetAddress;
 import java.net.MalformedURLException;
@@ -27,12 +29,17 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private static final long serialVersionUID = -7696947875314805420L;
 
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
+  private static final String NO_MONITOR =
+      "The activation system gave this group no monitor, so the group cannot report to it.";
   private static final String PORT_PROPERTY = "java.rmi.activation.port";
 
-  // All three are guarded by the class's lock.
+  // All four are guarded by the class's lock.
   private static ActivationGroup currentGroup;
   private static ActivationGroupID currentID;
   private static ActivationSystem currentSystem;
+
+  /** The group that {@link #createGroup} has exported last, even if its constructor failed then. */
+  private static ActivationGroup exported;
 
   /**
    * @serial which group this is
@@ -40,7 +47,8 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private final ActivationGroupID groupID;
 
   /**
-   * @serial whom it tells of its objects; null until the system knows the group
+   * @serial whom it tells of its objects; null until the system knows the group, and where the
+   *     system gave none
    */
   private ActivationMonitor monitor;
 
@@ -64,6 +72,9 @@ public abstract class ActivationGroup extends UnicastRemoteObject
       throws RemoteException {
     super(0, loopback, loopback);
     this.groupID = groupID;
+    if (Thread.holdsLock(ActivationGroup.class)) {
+      exported = this;
+    }
   }
 
   /**
@@ -99,14 +110,17 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    *
    * <p>The class named in the descriptor is loaded with {@link RMIClassLoader#loadClass(String,
    * String)}, must be a concrete subclass of this one, and have a public constructor {@code
-   * (ActivationGroupID, MarshalledObject)}. The system becomes the one in the identity.
+   * (ActivationGroupID, MarshalledObject)}. The system becomes the one in the identity. A system
+   * may answer with no monitor (null); then the group is created all the same, and cannot report.
    *
    * @param id what the group was registered as
    * @param desc how; a class name must be given
    * @param incarnation the number given to this JVM when it was started
    * @return the group, an instance of the class named
-   * @throws ActivationException if there is a group already, its class is no such class, or the
-   *     system refuses it; then a group already constructed is no longer exported by JRMP
+   * @throws ActivationException if there is a group already, the identity names no system, the
+   *     class is no such class, or the system refuses the group; then a group already constructed
+   *     is no longer exported by JRMP, and it is closed if it is {@link Closeable}, so that it does
+   *     not keep its JVM alive
    */
   public static synchronized ActivationGroup createGroup(
       ActivationGroupID id, ActivationGroupDesc desc, long incarnation) throws ActivationException {
@@ -116,25 +130,50 @@ public abstract class ActivationGroup extends UnicastRemoteObject
               + currentGroup.getClass().getName()
               + ": start another JVM for another group.");
     }
-    ActivationGroup group = construct(id, desc);
     ActivationSystem system = id.getSystem();
+    if (system == null) {
+      throw new ActivationException(
+          "The group's identity names no activation system: register the group with one first.");
+    }
+    ActivationGroup group = null;
+    exported = null;
     try {
+      group = construct(id, desc);
       group.incarnation = incarnation;
       group.monitor = system.activeGroup(id, group, incarnation);
     } catch (RemoteException e) {
-      throw new ActivationException("The activation system cannot be told of the group", e);
-    } finally {
-      if (group.monitor == null) {
-        unexport(group);
-      }
-    }
-    if (group.monitor == null) {
-      throw new ActivationException("The activation system gave the group no monitor: " + system);
+      ActivationException refusal =
+          new ActivationException("The activation system cannot be told of the group", e);
+      withdraw(group, refusal);
+      throw refusal;
+    } catch (ActivationException | RuntimeException | Error e) {
+      withdraw(group, e);
+      throw e;
     }
     currentGroup = group;
     currentID = id;
     currentSystem = system;
     return group;
+  }
+
+  /**
+   * A group that was refused keeps nothing exported, since an export keeps its JVM alive.
+   *
+   * @param group the group; null if its constructor failed
+   * @param refusal takes what goes wrong here
+   */
+  private static void withdraw(ActivationGroup group, Throwable refusal) {
+    if (exported != null) {
+      unexport(exported);
+      exported = null;
+    }
+    if (group instanceof Closeable closeable) {
+      try {
+        closeable.close();
+      } catch (IOException | RuntimeException e) {
+        refusal.addSuppressed(e);
+      }
+    }
   }
 
   private static ActivationGroup construct(ActivationGroupID id, ActivationGroupDesc desc)
@@ -271,16 +310,19 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    */
   protected void inactiveGroup() throws UnknownGroupException, RemoteException {
     ActivationMonitor told;
+    boolean isCurrent;
     synchronized (ActivationGroup.class) {
       told = monitor;
       monitor = null;
-      if (currentGroup == this) {
+      isCurrent = currentGroup == this;
+      if (isCurrent) {
         currentGroup = null;
         currentID = null;
       }
     }
     if (told == null) {
-      throw new UnknownGroupException("This group is not active, so it cannot become inactive.");
+      throw new UnknownGroupException(
+          isCurrent ? NO_MONITOR : "This group is not active, so it cannot become inactive.");
     }
     told.inactiveGroup(groupID, incarnation);
   }
@@ -289,8 +331,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     synchronized (ActivationGroup.class) {
       if (monitor == null) {
         throw new ActivationException(
-            "This group is not active: it has no monitor before createGroup has returned,"
-                + " nor after inactiveGroup.");
+            currentGroup == this
+                ? NO_MONITOR
+                : "This group is not active: it has no monitor before createGroup has returned,"
+                    + " nor after inactiveGroup.");
       }
       return monitor;
     }

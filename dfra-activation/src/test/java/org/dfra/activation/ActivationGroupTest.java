@@ -7,6 +7,7 @@ import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
@@ -21,11 +22,13 @@ import java.rmi.activation.ActivationInstantiator;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.server.RemoteObject;
 import java.rmi.server.UnicastRemoteObject;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -162,17 +165,76 @@ class ActivationGroupTest {
     daemon.refusal = new UnknownGroupException("unregistered");
     assertThatExceptionOfType(UnknownGroupException.class).isThrownBy(this::create);
     assertThat(PlainGroup.last).matches(ActivationGroupTest::unexported, "is unexported");
-
-    daemon.refusal = null;
-    daemon.monitor = null;
-    assertThatExceptionOfType(ActivationException.class)
-        .isThrownBy(this::create)
-        .withMessageStartingWith("The activation system gave the group no monitor: ");
-    assertThat(PlainGroup.last).matches(ActivationGroupTest::unexported, "is unexported");
     assertThat(ActivationGroup.currentGroupID()).isNull();
   }
 
-  private static boolean unexported(PlainGroup group) {
+  /** The systems of River's own tests give none. */
+  @Test
+  void groupIsCreatedWhereTheSystemGivesNoMonitor() throws Exception {
+    daemon.monitor = null;
+    PlainGroup group = create();
+    assertThat(ActivationGroup.currentGroupID()).isSameAs(id);
+    assertThatExceptionOfType(ActivationException.class)
+        .isThrownBy(() -> group.inactiveObject(new ActivationID(daemon)))
+        .withMessage(
+            "The activation system gave this group no monitor, so the group cannot report to it.");
+    assertThatExceptionOfType(UnknownGroupException.class)
+        .isThrownBy(group::end)
+        .withMessageStartingWith("The activation system gave this group no monitor");
+    assertThat(ActivationGroup.currentGroupID()).as("ended all the same").isNull();
+  }
+
+  @Test
+  void groupOfNoSystemIsRefusedBeforeItIsConstructed() {
+    assertThatExceptionOfType(ActivationException.class)
+        .isThrownBy(
+            () ->
+                ActivationGroup.createGroup(
+                    new ActivationGroupID(null), desc(PlainGroup.class.getName()), 1))
+        .withMessage(
+            "The group's identity names no activation system: register the group with one first.");
+    assertThat(PlainGroup.last).isNull();
+  }
+
+  @Test
+  void groupWhoseConstructorFailsAfterItsExportIsUnexportedAgain() {
+    assertThatExceptionOfType(ActivationException.class)
+        .isThrownBy(
+            () -> ActivationGroup.createGroup(id, desc(PlainGroup.FailingLate.class.getName()), 1));
+    assertThat(PlainGroup.FailingLate.failed)
+        .matches(ActivationGroupTest::unexported, "is unexported");
+  }
+
+  @Test
+  void refusedGroupIsClosedIfItCanBe() throws Exception {
+    daemon.refusal = new UnknownGroupException("unregistered");
+    PlainGroup.Closing.closed = 0;
+    String closing = PlainGroup.Closing.class.getName();
+    assertThatExceptionOfType(UnknownGroupException.class)
+        .isThrownBy(() -> ActivationGroup.createGroup(id, desc(closing), 1))
+        .satisfies(
+            refusal ->
+                assertThat(refusal.getSuppressed())
+                    .singleElement()
+                    .matches(e -> "half closed".equals(e.getMessage())));
+    assertThat(PlainGroup.Closing.closed).isEqualTo(1);
+  }
+
+  @Test
+  void refusedGroupLeavesNoJvmAlive(@TempDir Path folder) throws Exception {
+    ChildJvm child =
+        ChildJvm.run(
+            folder,
+            List.of(
+                "-Xbootclasspath/a:" + System.getProperty("dfra.boot"),
+                "-cp",
+                System.getProperty("java.class.path"),
+                RefusedGroupMain.class.getName()));
+    assertThat(child.printed()).contains("refused FailingLate").contains("refused PlainGroup");
+    assertThat(child.exit()).isZero();
+  }
+
+  private static boolean unexported(ActivationGroup group) {
     try {
       return RemoteObject.toStub(group) == null;
     } catch (NoSuchObjectException e) {

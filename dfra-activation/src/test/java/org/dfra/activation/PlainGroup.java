@@ -1,5 +1,6 @@
 package org.dfra.activation;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
@@ -84,6 +85,35 @@ public final class PlainGroup extends ActivationGroup {
       super(id);
       unexportObject(this, true);
       throw new RemoteException("no lock file");
+    }
+  }
+
+  /** A constructor that fails after the export and leaves it behind. */
+  public static final class FailingLate extends Base {
+
+    /** The group constructed last, as far as it was. */
+    static ActivationGroup failed;
+
+    public FailingLate(ActivationGroupID id, MarshalledObject<?> data) throws RemoteException {
+      super(id);
+      failed = this;
+      throw new RemoteException("no configuration");
+    }
+  }
+
+  /** A group that has something to close, which fails. */
+  public static final class Closing extends Base implements Closeable {
+
+    static int closed;
+
+    public Closing(ActivationGroupID id, MarshalledObject<?> data) throws RemoteException {
+      super(id);
+    }
+
+    @Override
+    public void close() throws IOException {
+      closed++;
+      throw new IOException("half closed");
     }
   }
 

@@ -12,10 +12,12 @@ import org.jspecify.annotations.Nullable;
  * @param mode what was solved for
  * @param position the receiver's antenna, frame WGS84; null exactly where the mode is {@link
  *     Mode#NONE}
- * @param utc time of the solution, UTC
- * @param speed speed over ground in metres per second, not negative
+ * @param utc time of the solution, UTC; the host's time of arrival while the receiver does not know
+ *     UTC
+ * @param speed speed over ground in metres per second, not negative; NaN while the receiver does
+ *     not report it
  * @param course direction of travel in degrees, 0 to 360, 0 is true north, clockwise is +; noise
- *     when {@code speed} is near zero
+ *     when {@code speed} is near zero; NaN while the receiver does not report it
  * @param dilution dilution of precision, without unit: PDOP for a 3-D fix, HDOP for a 2-D one
  * @param satellitesVisible satellites above the horizon by the almanac; may exceed the channels
  * @param satellitesTracked satellites the receiver has locked on
@@ -48,10 +50,10 @@ public record GpsFix(
       throw new IllegalArgumentException(
           "a fix of mode " + mode + (position == null ? " without" : " with") + " a position");
     }
-    if (!(speed >= 0)) {
+    if (speed < 0) {
       throw new IllegalArgumentException("speed " + speed + " m/s is not ≥ 0");
     }
-    if (!(course >= 0 && course <= 360)) {
+    if (course < 0 || course > 360) {
       throw new IllegalArgumentException("course " + course + "° is outside 0° to 360°");
     }
   }

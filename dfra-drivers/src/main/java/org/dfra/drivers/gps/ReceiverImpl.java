@@ -72,6 +72,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
   private final Heard heard;
   private final ReceiverExamination examination;
   private final ReceiverAttributes attributes;
+  private final WeekRollover rollover;
 
   // written by the reader, read by anyone
   private volatile @Nullable GpsReceiverAttributes receiver;
@@ -110,6 +111,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
         new LatestReading<>("position", this, this::become, ticker::nanos, pace::longestAge);
     this.heard = new Heard(ticker);
     this.attributes = new ReceiverAttributes(kind.sensor());
+    this.rollover = new WeekRollover(context.clock());
     Reader reader = new Reader();
     this.protocol = protocol.apply(reader);
     this.dialogue = new ReceiverDialogue(this.protocol, pace, ticker, reader);
@@ -243,7 +245,10 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
   private final class Reader implements ReceiverProtocol.Listener, ReceiverDialogue.Listener {
 
     @Override
-    public void solved(Solution solution) {
+    public void solved(Solution reported) {
+      Instant utc = reported.fix().utc();
+      Instant corrected = rollover.correct(utc);
+      Solution solution = corrected.equals(utc) ? reported : reported.at(corrected);
       dialogue.solved(solution);
       heard.count(ReceiverExamination.SOLUTION);
       Instant now = clock().instant();

@@ -1,5 +1,6 @@
 package org.dfra.drivers.gps;
 
+import java.time.Instant;
 import org.dfra.flow.sensor.GpsFix;
 import org.jspecify.annotations.Nullable;
 
@@ -20,6 +21,24 @@ public record Solution(
     String state,
     double horizontalAccuracy,
     double verticalAccuracy) {
+
+  /** The same at another time, UTC. */
+  Solution at(Instant utc) {
+    return new Solution(
+        new GpsFix(
+            fix.mode(),
+            fix.position(),
+            utc,
+            fix.speed(),
+            fix.course(),
+            fix.dilution(),
+            fix.satellitesVisible(),
+            fix.satellitesTracked()),
+        utcDoubt,
+        state,
+        horizontalAccuracy,
+        verticalAccuracy);
+  }
 
   /** Of a receiver that does not tell how accurate it is. */
   public Solution(GpsFix fix, @Nullable String utcDoubt, String state) {

@@ -50,6 +50,12 @@ final class AllowedTypes {
           "java.util.logging.Level",
           "javax.security.auth.x500.X500Principal");
 
+  /** Handlers of the JDK and of its activation, which call one remote object each. */
+  private static final Set<String> HANDLERS =
+      Set.of(
+          "java.rmi.server.RemoteObjectInvocationHandler",
+          "java.rmi.activation.ActivatableHandler");
+
   /** Packages with all below them. */
   private static final List<String> OURS = List.of("net.jini.", "com.sun.jini.", "org.dfra.");
 
@@ -152,7 +158,7 @@ final class AllowedTypes {
     }
     if (InvocationHandler.class.isAssignableFrom(type)
         && type != InvocationHandler.class
-        && !name.equals("java.rmi.server.RemoteObjectInvocationHandler")
+        && !HANDLERS.contains(name)
         && !isOurs(name)
         && !isTrusted(type)) {
       return "refused to read a proxy whose handler is class "

@@ -1,5 +1,6 @@
 package org.dfra.river.phoenix;
 
+import java.io.Closeable;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.rmi.MarshalledObject;
@@ -38,7 +39,7 @@ import org.slf4j.LoggerFactory;
  * <p>Each object has a lock of its own, so that a slow constructor delays only those who want that
  * object.
  */
-public final class ActivationGroupImpl extends ActivationGroup {
+public final class ActivationGroupImpl extends ActivationGroup implements Closeable {
 
   private static final long serialVersionUID = 1L;
 
@@ -286,6 +287,15 @@ public final class ActivationGroupImpl extends ActivationGroup {
       // Even if nobody hears of it: this machine makes no more objects.
       new Thread(this::end, "group-end").start();
     }
+  }
+
+  /**
+   * Ends its export; the virtual machine goes on. Called by {@code createGroup} where the group is
+   * refused, so that a program whose group is refused can end.
+   */
+  @Override
+  public void close() {
+    exporter.unexport(true);
   }
 
   /** Lets calls that are under way finish, then ends the virtual machine. */

@@ -1,6 +1,7 @@
 package org.dfra.river.phoenix;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -10,6 +11,7 @@ import java.rmi.server.RMIServerSocketFactory;
 /**
  * Sockets that make an RMI registry read-only: it listens on the loopback interface alone, and
  * takes every caller for one from another host, to whom a registry refuses bind, rebind and unbind.
+ * The caller itself gets its true address in the acknowledgement, see {@link TrueAddressStream}.
  *
  * <p>A registry lets any program on its host unbind a name, and its filter does not see that call,
  * which sends nothing but a string.
@@ -17,24 +19,35 @@ import java.rmi.server.RMIServerSocketFactory;
 final class ReadOnlySockets implements RMIServerSocketFactory {
 
   /** Of a network that is for documentation only (RFC 5737), so no host has it. */
-  private static final InetAddress ELSEWHERE = elsewhere();
+  static final InetAddress ELSEWHERE = elsewhere();
 
   @Override
   public ServerSocket createServerSocket(int port) throws IOException {
     return new ServerSocket(port, 0, InetAddress.getLoopbackAddress()) {
       @Override
       public Socket accept() throws IOException {
-        Socket socket =
-            new Socket() {
-              @Override
-              public InetAddress getInetAddress() {
-                return ELSEWHERE;
-              }
-            };
+        Socket socket = new CallerSocket();
         implAccept(socket);
         return socket;
       }
     };
+  }
+
+  /** A connection whose other end seems to be elsewhere, but is sent its true address. */
+  private static final class CallerSocket extends Socket {
+
+    @Override
+    public InetAddress getInetAddress() {
+      return ELSEWHERE;
+    }
+
+    @Override
+    public OutputStream getOutputStream() throws IOException {
+      return new TrueAddressStream(
+          super.getOutputStream(),
+          ELSEWHERE.getHostAddress(),
+          super.getInetAddress().getHostAddress());
+    }
   }
 
   private static InetAddress elsewhere() {

@@ -31,6 +31,7 @@ final class M12CommandReader {
           Map.entry("Bb", 8),
           Map.entry("Bo", 8),
           Map.entry("Aw", 8),
+          Map.entry("At", 8),
           Map.entry("Gd", 8),
           Map.entry("Ge", 8),
           Map.entry("Gb", 17),

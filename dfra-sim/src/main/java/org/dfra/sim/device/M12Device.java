@@ -14,11 +14,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Commands: {@code @@Ha}, {@code @@Hb}, {@code @@Hn}, {@code @@Ea}, {@code @@En} with a rate
  * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once, and
  * {@code @@Bb} every half minute where its rate is not 0), {@code @@Cj} (identification),
- * {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0 to 3, FF asks), {@code @@Ge}
- * (time RAIM), {@code @@Gb} (date and time, which it obeys only while it has no fix), {@code @@As}
- * (the position to hold; out of range asks), {@code @@Cf} (defaults: sends nothing by itself any
- * more). Everything else, and every damaged command, is ignored. The settings outlive a client, as
- * those of a receiver outlive the computer on its line.
+ * {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0 to 3, FF asks), {@code @@At} (0
+ * to 2, FF asks), {@code @@Ge} (time RAIM), {@code @@Gb} (date and time, which it obeys only while
+ * it has no fix), {@code @@As} (the position to hold; out of range asks), {@code @@Cf} (defaults:
+ * sends nothing by itself any more). Everything else, and every damaged command, is ignored. The
+ * settings outlive a client, as those of a receiver outlive the computer on its line.
  */
 public final class M12Device implements SerialDevice {
 
@@ -101,6 +101,7 @@ public final class M12Device implements SerialDevice {
       case "Cj" -> line.send(M12Frames.identification(), now);
       case "Aw" -> setTimeScale(first);
       case "Gd" -> setPositionControl(first);
+      case "At" -> setPositionHold(first);
       case "Ge" -> {
         timeRaim = first == 0xFF ? timeRaim : first == 1;
         say("Ge", timeRaim ? 1 : 0);
@@ -143,6 +144,17 @@ public final class M12Device implements SerialDevice {
       }
       say("Gd", positionControl);
     }
+  }
+
+  /** For those who take it for a receiver of eight channels: off, on, survey. */
+  private void setPositionHold(int argument) {
+    if (argument <= 2) {
+      positionControl = argument == 2 ? 3 : argument;
+      if (argument == 1 && held == null) {
+        held = path.at(now).position();
+      }
+    }
+    say("At", positionControl == 3 ? 2 : positionControl == 1 ? 1 : 0);
   }
 
   private void setClock(byte[] argument) {

@@ -126,7 +126,7 @@ final class FixIntake {
         antenna.x(),
         antenna.y(),
         errors.white() * (Double.isNaN(diluted) ? 1 : diluted),
-        Math.min(fix.speed(), FASTEST),
+        Double.isNaN(fix.speed()) ? 0 : Math.min(fix.speed(), FASTEST),
         hasCourse ? Math.toRadians(90 - fix.course()) : Double.NaN);
   }
 

@@ -75,6 +75,16 @@ class FixIntakeTest {
   }
 
   @Test
+  void takesAFixWhoseSpeedIsUnknown() {
+    GpsFix fix =
+        new GpsFix(GpsFix.Mode.FIX_3D, Field.DATUM, Field.utc(5), Double.NaN, Double.NaN, 2, 8, 8);
+    LocalFix local = take(fix, "a", 5.2);
+    assertThat(local).isNotNull();
+    assertThat(local.course()).isNaN();
+    assertThat(local.speed()).as("finite, for estimates must be").isZero();
+  }
+
+  @Test
   void isLessSureWhenDiluted() {
     GpsFix poor = new GpsFix(GpsFix.Mode.FIX_3D, Field.DATUM, Field.utc(5), 0, 0, 6, 8, 4);
     LocalFix local = take(poor, "a", 5.2);

@@ -35,6 +35,9 @@ public final class GpsdDecoder {
           .disable(StreamReadFeature.INCLUDE_SOURCE_IN_LOCATION)
           .build();
 
+  /** What stands for a number that is not known, where numbers cannot be negative. */
+  private static final int UNKNOWN = -1;
+
   private final JsonParser in;
   private String name = "";
 
@@ -105,8 +108,8 @@ public final class GpsdDecoder {
       JsonToken token = in.nextToken();
       switch (member) {
         case "device" -> device = textOf(token);
-        case "mode" -> mode = whole(member, token);
-        case "status" -> status = whole(member, token);
+        case "mode" -> mode = whole(member, token, 0);
+        case "status" -> status = Math.max(0, whole(member, token, UNKNOWN));
         case "time" -> time = Instant.parse(textOf(token));
         case "lat" -> latitude = number(member, token, -90, 90);
         case "lon" -> longitude = number(member, token, -180, 180);
@@ -155,9 +158,9 @@ public final class GpsdDecoder {
     for (String member = nextMember(); member != null; member = nextMember()) {
       JsonToken token = in.nextToken();
       switch (member) {
-        case "PRN" -> prn = whole(member, token);
-        case "gnssid" -> system = whole(member, token);
-        case "svid" -> number = whole(member, token);
+        case "PRN" -> prn = whole(member, token, UNKNOWN);
+        case "gnssid" -> system = whole(member, token, UNKNOWN);
+        case "svid" -> number = whole(member, token, UNKNOWN);
         case "el" -> elevation = number(member, token, -90, 90);
         case "az" -> azimuth = number(member, token, 0, 360);
         case "ss" -> signal = number(member, token, 0, 1e3);
@@ -227,21 +230,25 @@ public final class GpsdDecoder {
     return in.getText();
   }
 
-  private int whole(String member, @Nullable JsonToken token) throws IOException {
+  private int whole(String member, @Nullable JsonToken token, int least) throws IOException {
     expect(JsonToken.VALUE_NUMBER_INT, token);
     long value = in.getLongValue();
-    if (value < 0 || value > 0xFFFF) {
-      throw new WrongValue(member + " " + value + " is outside 0 to 65535");
+    if (value < least || value > 0xFFFF) {
+      throw new WrongValue(member + " " + value + " is outside " + least + " to 65535");
     }
     return (int) value;
   }
 
+  /** NaN where it is not known, for which some drivers of gpsd write −1. */
   private double number(String member, @Nullable JsonToken token, double least, double most)
       throws IOException {
     if (token != JsonToken.VALUE_NUMBER_INT && token != JsonToken.VALUE_NUMBER_FLOAT) {
       throw new WrongValue(member + " is no number");
     }
     double value = in.getDoubleValue();
+    if (least == 0 && value == UNKNOWN) {
+      return Double.NaN;
+    }
     if (!(value >= least && value <= most)) {
       throw new WrongValue(member + " " + value + " is outside " + least + " to " + most);
     }

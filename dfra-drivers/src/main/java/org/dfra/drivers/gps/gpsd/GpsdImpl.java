@@ -183,8 +183,8 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
                   ? null
                   : new GeoPosition(told.latitude(), told.longitude(), orZero(told.height())),
               told.time() == null ? context.clock().instant() : told.time(),
-              orZero(told.speed()),
-              orZero(told.track()),
+              told.speed(),
+              told.track(),
               none ? 0 : orZero(dilution),
               satellites.size(),
               heard),

@@ -84,9 +84,17 @@ public final class M12Commands {
     return encode("Gd", mode.ordinal());
   }
 
-  /** {@code @@At}: hold no position (0); for receivers of eight channels. */
-  public static byte[] holdOff() {
-    return encode("At", 0);
+  /**
+   * {@code @@At}: solve for this; for receivers of eight channels, which have no {@code @@Gd}.
+   * Answered by the same.
+   */
+  public static byte[] positionHold(PositionHold.Mode mode) {
+    return encode("At", mode.ordinal());
+  }
+
+  /** {@code @@At}: is the position held? A mode out of range asks. */
+  public static byte[] askPositionHold() {
+    return encode("At", 0xFF);
   }
 
   /** {@code @@As}: which position would be held? */

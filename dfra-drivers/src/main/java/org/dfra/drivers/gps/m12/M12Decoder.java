@@ -37,6 +37,9 @@ public final class M12Decoder {
         case "Gd" ->
             new PositionControl(
                 PositionControl.Mode.values()[fields.within("mode", fields.u8(4), 0, 3)]);
+        case "At" ->
+            new PositionHold(
+                PositionHold.Mode.values()[fields.within("position hold", fields.u8(4), 0, 2)]);
         case "Gb" -> new ReceiverClock(fields.clock(), fields.localOffset(11));
         case "As" -> new HoldPosition(fields.heldPosition());
         case "Bo" -> new UtcOffset((byte) fields.u8(4));

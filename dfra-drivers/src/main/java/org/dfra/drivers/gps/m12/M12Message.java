@@ -6,6 +6,7 @@ public sealed interface M12Message
         VisibleSatellites,
         TimeRaim,
         PositionControl,
+        PositionHold,
         HoldPosition,
         ReceiverClock,
         UtcOffset,

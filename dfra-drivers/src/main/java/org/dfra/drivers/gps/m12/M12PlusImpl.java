@@ -79,7 +79,7 @@ public final class M12PlusImpl extends ReceiverImpl<M12Protocol> {
         context,
         KIND,
         rate,
-        listener -> new M12Protocol(rate, orders, ticker, listener),
+        listener -> new M12Protocol(rate, orders, context.clock(), ticker, listener),
         ticker,
         source);
     this.rate = rate;

@@ -47,13 +47,22 @@ public sealed interface M12PositionMessage extends M12Message
   /** Whether {@link #utc} is UTC for sure, as far as this message can tell. */
   boolean knowsUtc();
 
-  /** The message as every GPS sensor tells it. */
+  /** The message as every GPS sensor tells it, as far as this message alone can tell. */
   default GpsFix toFix() {
-    GpsFix.Mode mode = mode();
+    return toFix(mode(), utc());
+  }
+
+  /**
+   * The same with what other messages say.
+   *
+   * @param mode what was solved for
+   * @param utc time of the solution
+   */
+  default GpsFix toFix(GpsFix.Mode mode, Instant utc) {
     return new GpsFix(
         mode,
         mode == GpsFix.Mode.NONE ? null : position().toGeoPosition(),
-        utc(),
+        utc,
         groundSpeed(),
         heading(),
         dilution(),

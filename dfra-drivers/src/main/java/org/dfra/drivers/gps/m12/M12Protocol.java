@@ -2,12 +2,15 @@ package org.dfra.drivers.gps.m12;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.drivers.gps.ReceiverProtocol;
 import org.dfra.drivers.gps.Solution;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.GpsFix;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -20,7 +23,9 @@ import org.jspecify.annotations.Nullable;
  * and for {@code @@Bb} and {@code @@Bo} when they change. A receiver that has sent no position
  * after {@value #PATIENCE_SECONDS} s is asked for {@code @@Ea} and {@code @@En} too, since it may
  * have eight channels only. Once a twelve-channel position has come, {@code @@Ea} is no longer
- * listened to, and the receiver is told to stop it if it was asked for.
+ * listened to, and the receiver is told to stop it if it was asked for. A receiver of eight
+ * channels is set to hold its position or not by {@code @@At}, and holds one where the last
+ * {@code @@At} was 1.
  *
  * <p>Confined to the reader thread, but for what it was last told, which anyone may ask.
  */
@@ -31,9 +36,14 @@ final class M12Protocol implements ReceiverProtocol {
   private static final String UTC_UNKNOWN =
       "has not yet learned from the satellites how far GPS time is ahead of UTC; after a cold start"
           + " that takes up to 12.5 minutes";
+  private static final String SCALE_UNKNOWN =
+      "has not yet confirmed (@@Aw) that it reports UTC and not GPS time";
+  private static final String NO_SATELLITE =
+      "tracks no satellite, so its time is that of its own clock";
 
   private final M12Rate rate;
   private final M12Orders orders;
+  private final InstantSource clock;
   private final Ticker ticker;
   private final Listener listener;
   private final M12Parser parser = new M12Parser(this::heard);
@@ -47,18 +57,25 @@ final class M12Protocol implements ReceiverProtocol {
   private boolean has12Channels;
   private boolean asked8Channels;
   private boolean toldUtc;
+  private PositionHold.@Nullable Mode positionHold; // of an eight-channel receiver
+  private boolean asksPositionHold;
 
   // written by the reader, read by anyone
   private volatile @Nullable ReceiverStatus status;
   private volatile @Nullable TimeRaim timeRaim;
   private volatile @Nullable HoldPosition held;
-  private volatile @Nullable ReceiverClock clock;
+  private volatile @Nullable ReceiverClock receiverClock;
   private volatile @Nullable UtcOffset utcOffset;
   private volatile @Nullable ReceiverIdentification identification;
 
-  M12Protocol(M12Rate rate, M12Orders orders, Ticker ticker, Listener listener) {
+  /**
+   * @param clock stamps what the receiver reports while it does not know UTC
+   */
+  M12Protocol(
+      M12Rate rate, M12Orders orders, InstantSource clock, Ticker ticker, Listener listener) {
     this.rate = rate;
     this.orders = orders;
+    this.clock = clock;
     this.ticker = ticker;
     this.listener = listener;
     this.settlement = new M12Settlement(ticker);
@@ -81,7 +98,7 @@ final class M12Protocol implements ReceiverProtocol {
 
   /** What the receiver's clock was set to, or showed when it was asked. */
   Optional<ReceiverClock> clock() {
-    return Optional.ofNullable(clock);
+    return Optional.ofNullable(receiverClock);
   }
 
   /** GPS time minus UTC; empty before the receiver has told it. */
@@ -100,9 +117,11 @@ final class M12Protocol implements ReceiverProtocol {
     status = null;
     timeRaim = null;
     held = null;
-    clock = null;
+    receiverClock = null;
     utcOffset = null;
     toldUtc = false;
+    positionHold = null;
+    asksPositionHold = false;
     sky.forget();
     begin(link);
   }
@@ -156,9 +175,13 @@ final class M12Protocol implements ReceiverProtocol {
         && !asked8Channels
         && ticker.nanos() - openedNanos > Duration.ofSeconds(PATIENCE_SECONDS).toNanos()) {
       asked8Channels = true;
-      link.write(M12Commands.holdOff());
+      tellPositionHold(link);
       link.write(M12Commands.positionOf8Channels(toldRate));
       link.write(M12Commands.timeRaimOf8Channels(toldRate));
+    }
+    if (asksPositionHold) {
+      asksPositionHold = false;
+      link.write(M12Commands.askPositionHold());
     }
   }
 
@@ -166,6 +189,28 @@ final class M12Protocol implements ReceiverProtocol {
     PositionControl.Mode wanted = orders.positioning();
     toldPositioning = wanted;
     settlement.send(link, "Gd", M12Commands.positionControl(wanted));
+    if (asked8Channels) {
+      tellPositionHold(link);
+    }
+  }
+
+  /** Eight channels have no {@code @@Gd}, and no altitude hold that this driver knows. */
+  private void tellPositionHold(SerialLink link) throws IOException {
+    PositionControl.Mode wanted = orders.positioning();
+    settlement.send(
+        link,
+        "At",
+        M12Commands.positionHold(
+            switch (wanted) {
+              case HOLD -> PositionHold.Mode.ON;
+              case SURVEY -> PositionHold.Mode.SURVEY;
+              case POSITION_3D, ALTITUDE_HOLD -> PositionHold.Mode.OFF;
+            }));
+    if (wanted == PositionControl.Mode.ALTITUDE_HOLD) {
+      listener.warned(
+          "a receiver of eight channels cannot be set to altitude_hold by this driver; it solves"
+              + " for a 3-D position");
+    }
   }
 
   private void tellRate(SerialLink link) throws IOException {
@@ -216,11 +261,35 @@ final class M12Protocol implements ReceiverProtocol {
     if (toldRate == rate.now()) {
       rate.arrivedAtThisRate();
     }
-    listener.saw(sky.with(message));
-    boolean knowsUtc = message.knowsUtc() || (toldUtc && utcOffset().isPresent());
+    boolean mayHold = message instanceof Position8Channels eight && eight.mayHold();
+    boolean holds = mayHold && positionHold == PositionHold.Mode.ON;
+    // A survey ends without a message: the receiver holds then, and says so when it is asked.
+    asksPositionHold |= mayHold && positionHold == PositionHold.Mode.SURVEY;
+    GpsFix.Mode mode = holds ? GpsFix.Mode.POSITION_HOLD : message.mode();
+    listener.saw(sky.with(message, mode));
+    String doubt = utcDoubt(message, holds);
+    Instant utc = doubt == null ? message.utc() : clock.instant();
     listener.solved(
-        new Solution(message.toFix(), knowsUtc ? null : UTC_UNKNOWN, message.stateInWords()));
+        new Solution(
+            message.toFix(mode, utc),
+            doubt,
+            holds
+                ? ReceiverStatus.State.POSITION_HOLD.inWords(message.tracked(), message.visible())
+                : message.stateInWords()));
     tellWhatItIs(); // it may have become clear how many channels there are
+  }
+
+  private @Nullable String utcDoubt(M12PositionMessage message, boolean holds) {
+    if (holds && message.tracked() == 0) {
+      return NO_SATELLITE;
+    }
+    if (message.knowsUtc()) {
+      return null;
+    }
+    if (message instanceof Position12Channels || utcOffset == null) {
+      return UTC_UNKNOWN;
+    }
+    return toldUtc ? null : SCALE_UNKNOWN;
   }
 
   private void remember(M12Message message) {
@@ -231,9 +300,11 @@ final class M12Protocol implements ReceiverProtocol {
     } else if (message instanceof HoldPosition position) {
       held = position;
     } else if (message instanceof ReceiverClock told) {
-      clock = told;
+      receiverClock = told;
     } else if (message instanceof UtcOffset offset) {
       utcOffset = offset.isKnown() ? offset : null;
+    } else if (message instanceof PositionHold hold) {
+      positionHold = hold.mode();
     } else if (message instanceof TimeScale scale) {
       toldUtc = scale.isUtc();
     } else if (message instanceof ReceiverIdentification told) {

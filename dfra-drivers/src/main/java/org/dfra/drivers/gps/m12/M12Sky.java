@@ -30,8 +30,13 @@ final class M12Sky {
     return all();
   }
 
-  List<SatelliteInView> with(M12PositionMessage message) {
-    solved = message.mode() != GpsFix.Mode.NONE;
+  /**
+   * Takes the channels.
+   *
+   * @param mode what was solved for
+   */
+  List<SatelliteInView> with(M12PositionMessage message, GpsFix.Mode mode) {
+    solved = mode != GpsFix.Mode.NONE;
     channels.clear();
     for (SatelliteChannel channel : message.channels()) {
       if (channel.satellite() != 0) {

@@ -9,8 +9,8 @@ import java.time.ZoneOffset;
 /**
  * Date and time as the receiver writes them. Whether it is UTC or GPS time, the message must say.
  *
- * <p>A receiver whose firmware has outlived its GPS week count is wrong by 1024 weeks; that is not
- * mended here.
+ * <p>A receiver whose firmware has outlived its GPS week count is wrong by 1024 weeks; {@link
+ * org.dfra.drivers.gps.WeekRollover} corrects that, not this class.
  *
  * @param date the date
  * @param hour 0 to 23

@@ -5,9 +5,10 @@ import java.util.List;
 import org.dfra.flow.sensor.GpsFix;
 
 /**
- * {@code @@Ea}: position, status and data of an eight-channel receiver. It has one speed, one
- * position, and does not tell whether its time is UTC: the driver sets it to UTC and believes it.
- * Source: Motorola Oncore user's guides, eight-channel messages.
+ * {@code @@Ea}: position, status and data of an eight-channel receiver. It has one speed and one
+ * position. It tells neither whether its time is UTC, which {@code @@Bo} and {@code @@Aw} do, nor
+ * whether the position is held, which {@code @@At} does. Source: Motorola Oncore user's guides,
+ * eight-channel messages.
  *
  * @param time date and time of the solution
  * @param position the position
@@ -40,6 +41,7 @@ public record Position8Channels(
   private static final int POOR_GEOMETRY = 0x40;
   private static final int FIX_3D = 0x20;
   private static final int FIX_2D = 0x10;
+  private static final int ACQUIRING_OR_HOLD = 0x08;
   private static final int TOO_FEW = 0x02;
 
   public Position8Channels {
@@ -52,8 +54,18 @@ public record Position8Channels(
   }
 
   /**
-   * {@inheritDoc} Position hold shares its bit with acquiring, so a held position counts as none.
+   * Whether the position is a held one if {@code @@At} says that the receiver holds its position:
+   * the two states share a bit. One that tracks nothing and sees fewer than 3 satellites is
+   * acquiring.
    */
+  public boolean mayHold() {
+    boolean searches = tracked == 0 && (status & TOO_FEW) != 0;
+    return (status & (PROPAGATE | POOR_GEOMETRY | FIX_3D | FIX_2D)) == 0
+        && (status & ACQUIRING_OR_HOLD) != 0
+        && !searches;
+  }
+
+  /** {@inheritDoc} A held position counts as none here; see {@link #mayHold}. */
   @Override
   public GpsFix.Mode mode() {
     if ((status & PROPAGATE) != 0) {
@@ -87,8 +99,9 @@ public record Position8Channels(
     return time.toInstant();
   }
 
+  /** {@inheritDoc} It never is, by this message alone; {@code @@Bo} and {@code @@Aw} tell. */
   @Override
   public boolean knowsUtc() {
-    return true;
+    return false;
   }
 }

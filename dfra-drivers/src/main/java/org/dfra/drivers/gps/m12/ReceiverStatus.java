@@ -40,6 +40,11 @@ public record ReceiverStatus(int bits) {
     public String inWords() {
       return words;
     }
+
+    /** The same, with how many satellites are tracked of those visible. */
+    String inWords(int tracked, int visible) {
+      return words + ", " + tracked + " of " + visible + " tracked";
+    }
   }
 
   /** What is known of the antenna, bits 2 and 1. */
@@ -77,7 +82,7 @@ public record ReceiverStatus(int bits) {
 
   /** What the receiver does and with how many satellites, for people. */
   String inWords(int tracked, int visible) {
-    String words = state().inWords() + ", " + tracked + " of " + visible + " tracked";
+    String words = state().inWords(tracked, visible);
     return antenna() == Antenna.OK ? words : words + ", antenna " + antenna();
   }
 

@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.drivers.gps.nmea.NmeaFields.MalformedException;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gga;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gns;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Malformed;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Other;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Rmc;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Satellite;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Vtg;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Zda;
 
 /**
  * Decodes intact sentences, one at a time. Never throws on what a sentence says: a value that
@@ -40,6 +43,9 @@ final class NmeaDecoder {
       return switch (type) {
         case 'R' << 16 | 'M' << 8 | 'C' -> rmc(talker);
         case 'G' << 16 | 'G' << 8 | 'A' -> gga(talker);
+        case 'G' << 16 | 'N' << 8 | 'S' -> gns(talker);
+        case 'V' << 16 | 'T' << 8 | 'G' -> vtg(talker);
+        case 'Z' << 16 | 'D' << 8 | 'A' -> zda(talker);
         case 'G' << 16 | 'S' << 8 | 'A' -> gsa(talker);
         case 'G' << 16 | 'S' << 8 | 'V' -> gsv(talker);
         default -> new Other(talker, fields.text(0).substring(TYPE));
@@ -73,6 +79,37 @@ final class NmeaDecoder {
         fields.number("dilution", 8, 0, 999),
         fields.number("altitude (m)", 9, -10_000, 100_000),
         fields.number("separation (m)", 11, -1000, 1000));
+  }
+
+  private Gns gns(String talker) throws MalformedException {
+    return new Gns(
+        talker,
+        fields.time(1),
+        fields.angle("latitude", 2, 'S', 90),
+        fields.angle("longitude", 4, 'W', 180),
+        fields.text(6),
+        fields.whole("satellites used", 7, 0, 999),
+        fields.number("dilution", 8, 0, 999),
+        fields.number("altitude (m)", 9, -10_000, 100_000),
+        fields.number("separation (m)", 10, -1000, 1000));
+  }
+
+  /**
+   * Each number has its unit in the next field, but in old receivers' sentences, of four numbers.
+   */
+  private Vtg vtg(String talker) throws MalformedException {
+    boolean hasUnits = fields.letter(2) == 'T' || fields.count() > 5;
+    double knots = fields.number("speed (knots)", hasUnits ? 5 : 3, 0, 2000);
+    double kilometres = fields.number("speed (km/h)", hasUnits ? 7 : 4, 0, 4000);
+    return new Vtg(
+        talker,
+        fields.number("course (°)", 1, 0, 360),
+        Double.isNaN(knots) ? kilometres / 3.6 : knots * KNOT,
+        hasUnits ? fields.letter(9) : ' ');
+  }
+
+  private Zda zda(String talker) throws MalformedException {
+    return new Zda(talker, fields.time(1), fields.date(2, 3, 4), fields.zone(5));
   }
 
   private Gsa gsa(String talker) throws MalformedException {

@@ -1,32 +1,32 @@
 package org.dfra.drivers.gps.nmea;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
-import java.time.LocalDate;
 import java.time.LocalTime;
-import java.time.ZoneOffset;
 import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.gps.SatelliteInView;
 import org.dfra.drivers.gps.Solution;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gga;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gns;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Rmc;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Vtg;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Zda;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts the sentences of one moment together. {@code RMC} has date, speed and course, {@code GGA}
- * height and quality, {@code GSA} the dimensions; no sentence says that it is the last of its
- * moment.
+ * Puts the sentences of one moment together. {@code RMC} has date, speed and course, {@code GGA} or
+ * {@code GNS} height and quality, {@code GSA} the dimensions, {@code VTG} speed and course, {@code
+ * ZDA} the date; no sentence says that it is the last of its moment.
  *
- * <p>A solution is told as soon as both {@code RMC} and {@code GGA} of a moment are there, or the
- * one of them that the receiver sends; what is still incomplete when the next moment begins is told
- * then. Of {@code GSA} and {@code GSV} the last ones count, which may be those of the moment
- * before.
+ * <p>A solution is told as soon as both {@code RMC} and {@code GGA} (or {@code GNS}) of a moment
+ * are there, or the one of them that the receiver sends; what is still incomplete when the next
+ * moment begins is told then. Of {@code GSA} and {@code GSV} the last ones count, which may be
+ * those of the moment before; of speed and course those of the last 2 s, see {@link NmeaMotion}.
  *
  * <p>Confined to one thread.
  */
@@ -40,6 +40,8 @@ final class NmeaEpoch {
   private final InstantSource clock;
   private final Consumer<Solution> solutions;
   private final NmeaSky sky = new NmeaSky();
+  private final NmeaMotion motion = new NmeaMotion();
+  private final NmeaCalendar calendar = new NmeaCalendar();
   private List<SatelliteInView> satellites = List.of();
 
   private @Nullable LocalTime time;
@@ -48,7 +50,6 @@ final class NmeaEpoch {
   private boolean told;
   private int withoutRmc;
   private int withoutGga;
-  private @Nullable LocalDate date;
   private @Nullable Gsa gsa;
 
   /**
@@ -68,8 +69,9 @@ final class NmeaEpoch {
     told = true;
     withoutRmc = 0;
     withoutGga = 0;
-    date = null;
     gsa = null;
+    motion.forget();
+    calendar.forget();
     satellites = List.of();
   }
 
@@ -83,16 +85,19 @@ final class NmeaEpoch {
     if (sentence instanceof Rmc next) {
       turnTo(next.time());
       rmc = next;
-      date = next.date() == null ? date : next.date();
+      calendar.take(next.date(), next.time());
+      motion.take(next);
       withoutRmc = 0;
       withoutGga++;
       tellIfComplete();
     } else if (sentence instanceof Gga next) {
-      turnTo(next.time());
-      gga = next;
-      withoutGga = 0;
-      withoutRmc++;
-      tellIfComplete();
+      take(next);
+    } else if (sentence instanceof Gns next && !next.modes().isEmpty()) {
+      takeUnlessGiven(next);
+    } else if (sentence instanceof Vtg next) {
+      motion.take(next, time);
+    } else if (sentence instanceof Zda next) {
+      calendar.take(next.date(), next.time());
     } else if (sentence instanceof Gsa next) {
       gsa = next;
       sky.take(next);
@@ -101,6 +106,22 @@ final class NmeaEpoch {
       return true;
     }
     return false;
+  }
+
+  private void take(Gga next) {
+    turnTo(next.time());
+    gga = next;
+    withoutGga = 0;
+    withoutRmc++;
+    tellIfComplete();
+  }
+
+  /** There are receivers that send both; the first of a moment counts. */
+  private void takeUnlessGiven(Gns next) {
+    boolean given = gga != null && next.time() != null && next.time().equals(time);
+    if (!given) {
+      take(next.toGga());
+    }
   }
 
   private void turnTo(@Nullable LocalTime next) {
@@ -113,13 +134,11 @@ final class NmeaEpoch {
     if (!told) {
       tell();
     }
-    if (next != null && time != null && next.isBefore(time) && rmc == null) {
-      date = null; // midnight has passed, and only RMC tells the new date
-    }
     time = next;
     rmc = null;
     gga = null;
     told = false;
+    motion.age(next);
     sky.turn();
   }
 
@@ -137,23 +156,22 @@ final class NmeaEpoch {
     }
     told = true;
     GpsFix.Mode mode = mode();
-    double speed = rmc == null || Double.isNaN(rmc.speed()) ? 0 : rmc.speed();
-    double course = rmc == null || Double.isNaN(rmc.course()) ? 0 : rmc.course();
+    boolean none = mode == GpsFix.Mode.NONE;
     int heard = (int) satellites.stream().filter(SatelliteInView::isTracked).count();
     int tracked = Math.max(heard, gga == null ? 0 : gga.used());
     solutions.accept(
         new Solution(
             new GpsFix(
                 mode,
-                mode == GpsFix.Mode.NONE ? null : position(),
+                none ? null : position(),
                 utc(),
-                speed,
-                course,
+                none ? Double.NaN : motion.speed(),
+                none ? Double.NaN : motion.course(),
                 dilution(mode),
                 Math.max(satellites.size(), tracked),
                 tracked),
             doubt(),
-            (mode == GpsFix.Mode.NONE ? "searching for satellites, " : "giving a fix, ")
+            (none ? "searching for satellites, " : "giving a fix, ")
                 + tracked
                 + " of "
                 + Math.max(satellites.size(), tracked)
@@ -210,27 +228,14 @@ final class NmeaEpoch {
   }
 
   private Instant utc() {
-    Instant host = clock.instant();
     LocalTime at = time;
-    if (at == null) {
-      return host;
-    }
-    LocalDate day = date;
-    if (day != null) {
-      return at.atDate(day).toInstant(ZoneOffset.UTC);
-    }
-    Instant today = at.atDate(LocalDate.ofInstant(host, ZoneOffset.UTC)).toInstant(ZoneOffset.UTC);
-    Duration ahead = Duration.between(host, today);
-    if (ahead.toHours() > 12) {
-      return today.minus(Duration.ofDays(1));
-    }
-    return ahead.toHours() < -12 ? today.plus(Duration.ofDays(1)) : today;
+    return at == null ? clock.instant() : calendar.at(at, clock.instant());
   }
 
   private @Nullable String doubt() {
     if (time == null) {
       return "has not told the time yet";
     }
-    return date == null ? "has not told the date yet, which only RMC does" : null;
+    return calendar.isKnown() ? null : "has not reported the date yet, which only RMC and ZDA do";
   }
 }

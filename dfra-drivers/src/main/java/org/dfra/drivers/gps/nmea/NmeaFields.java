@@ -135,18 +135,48 @@ final class NmeaFields {
     }
   }
 
-  /** {@code ddmmyy} of the years 1980 to 2079; null if it is empty. */
+  /** {@code ddmmyy} of the years 1980 to 2079; null if it is empty or zero. */
   @Nullable LocalDate date(int field) throws MalformedException {
     if (isEmpty(field)) {
       return null;
     }
     int value = whole("date", field, 0, 311_299);
+    if (value == 0) {
+      return null; // six zeros: the receiver does not know it
+    }
     int year = value % 100;
     try {
       return LocalDate.of(year < 80 ? 2000 + year : 1900 + year, value / 100 % 100, value / 10_000);
     } catch (DateTimeException e) {
       throw wrong("date", field, "a date");
     }
+  }
+
+  /** Day, month and year of four digits in fields of their own; null if empty or zero. */
+  @Nullable LocalDate date(int dayField, int monthField, int yearField) throws MalformedException {
+    int day = whole("day", dayField, 0, 31);
+    int month = whole("month", monthField, 0, 12);
+    int year = whole("year", yearField, 0, 9999);
+    if (day <= 0 || month <= 0 || year <= 0) {
+      return null;
+    }
+    try {
+      return LocalDate.of(year, month, day);
+    } catch (DateTimeException e) {
+      throw wrong("day", dayField, "a day of month " + month + " of " + year);
+    }
+  }
+
+  /** Hours from −13 to 13 and, in the next field, minutes with the same sign, as minutes. */
+  @Nullable Integer zone(int field) throws MalformedException {
+    if (isEmpty(field)) {
+      return null;
+    }
+    double hours = number("zone (h)", field, -14, 14);
+    double minutes = Math.abs(number("zone (min)", field + 1, -59, 59));
+    boolean east = bytes[starts[field]] == '-';
+    double all = Math.abs(hours) * 60 + (Double.isNaN(minutes) ? 0 : minutes);
+    return (int) Math.round(east ? -all : all);
   }
 
   private double decimal(String what, int field) throws MalformedException {

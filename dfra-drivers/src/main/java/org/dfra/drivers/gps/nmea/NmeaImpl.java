@@ -12,8 +12,9 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Any receiver that sends NMEA 0183: {@code RMC}, {@code GGA}, {@code GSA} and {@code GSV} of any
- * talker. Nothing is sent to it: it is set up with its maker's tool.
+ * Any receiver that sends NMEA 0183: {@code RMC}, {@code GGA} or {@code GNS}, {@code VTG}, {@code
+ * ZDA}, {@code GSA} and {@code GSV} of any talker. Nothing is sent to it: it is set up with its
+ * maker's tool.
  *
  * <p>Parameter, besides those of every {@link ReceiverImpl}: {@code period}, seconds from one
  * position to the next, as the receiver is set up; default 1. It only says how long silence may
@@ -21,8 +22,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A fix is one in 3-D where {@code GGA} tells altitude and geoid separation, which make the
  * height above the ellipsoid; without them its height is 0. What {@code GGA} calls estimated is no
- * fix. Where only {@code GGA} comes, there is no speed, no course (both 0), and no {@code time},
- * since the date is missing.
+ * fix. Speed and course are those of the last {@code RMC} or {@code VTG} for 2 s, and unknown (NaN)
+ * after that. Where neither {@code RMC} nor {@code ZDA} has come there is no {@code time}, since
+ * the date is missing.
  */
 public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
 

@@ -11,7 +11,11 @@ import org.jspecify.annotations.Nullable;
  */
 public sealed interface NmeaSentence {
 
-  /** Who talks: {@code GP}, {@code GL}, {@code GA}, {@code GB}, {@code GN} for several at once. */
+  /**
+   * Who talks: {@code GP} GPS, {@code GL} GLONASS, {@code GA} Galileo, {@code GB} or {@code BD}
+   * BeiDou, {@code GQ} or {@code QZ} QZSS, {@code GI} or {@code IR} NavIC, {@code GN} several at
+   * once.
+   */
   String talker();
 
   /**
@@ -65,6 +69,82 @@ public sealed interface NmeaSentence {
       double dilution,
       double altitude,
       double separation)
+      implements NmeaSentence {}
+
+  /**
+   * {@code GNS}: fix data of several systems.
+   *
+   * @param talker who talks
+   * @param time time of day, UTC; null while the receiver has none
+   * @param latitude degrees, north is +; NaN if empty
+   * @param longitude degrees, east is +; NaN if empty
+   * @param modes a letter for each system, in the order GPS, GLONASS, Galileo, BeiDou, QZSS, NavIC:
+   *     as in {@link Rmc#mode}, and {@code P} precise; empty in the further sentences of a moment,
+   *     one for each system, which have no position
+   * @param used satellites in use; −1 if empty
+   * @param dilution horizontal dilution of precision; NaN if empty
+   * @param altitude above mean sea level, metres; NaN if empty
+   * @param separation height of mean sea level above the WGS84 ellipsoid, metres; NaN if empty
+   */
+  record Gns(
+      String talker,
+      @Nullable LocalTime time,
+      double latitude,
+      double longitude,
+      String modes,
+      int used,
+      double dilution,
+      double altitude,
+      double separation)
+      implements NmeaSentence {
+
+    /** From the best mode to the worst; each stands at its number in {@link #QUALITIES}. */
+    private static final String BEST_FIRST = "RFPDASME";
+
+    private static final int[] QUALITIES = {4, 5, 3, 2, 1, 8, 7, 6};
+
+    /** The best mode of all systems as {@link Gga#quality} numbers it. */
+    int quality() {
+      for (int i = 0; i < QUALITIES.length; i++) {
+        if (modes.indexOf(BEST_FIRST.charAt(i)) >= 0) {
+          return QUALITIES[i];
+        }
+      }
+      return 0;
+    }
+
+    /** The same as the sentence for one system. */
+    Gga toGga() {
+      return new Gga(
+          talker, time, latitude, longitude, quality(), used, dilution, altitude, separation);
+    }
+  }
+
+  /**
+   * {@code VTG}: course and speed. It has no time: it belongs to the moment that was reported
+   * before it.
+   *
+   * @param talker who talks
+   * @param course direction of travel, degrees, 0 is true north, clockwise is +; NaN if empty
+   * @param speed over ground, metres per second; NaN if empty
+   * @param mode as in {@link Rmc#mode}
+   */
+  record Vtg(String talker, double course, double speed, char mode) implements NmeaSentence {}
+
+  /**
+   * {@code ZDA}: date and time.
+   *
+   * @param talker who talks
+   * @param time time of day, UTC; null if empty
+   * @param date the date, UTC; null if empty
+   * @param localZone minutes to be added to local time for UTC, negative east of Greenwich; null if
+   *     empty. Reported, not applied: time and date are UTC
+   */
+  record Zda(
+      String talker,
+      @Nullable LocalTime time,
+      @Nullable LocalDate date,
+      @Nullable Integer localZone)
       implements NmeaSentence {}
 
   /**

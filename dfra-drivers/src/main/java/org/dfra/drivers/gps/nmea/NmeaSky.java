@@ -139,8 +139,8 @@ final class NmeaSky {
       case "GL" -> 'R';
       case "GA" -> 'E';
       case "GB", "BD" -> 'C';
-      case "GQ" -> 'J';
-      case "GI" -> 'I';
+      case "GQ", "QZ" -> 'J';
+      case "GI", "IR" -> 'I';
       default -> '?'; // several: by their numbers
     };
   }

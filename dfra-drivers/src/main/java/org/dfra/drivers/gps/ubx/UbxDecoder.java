@@ -25,6 +25,7 @@ public final class UbxDecoder {
   private static final int VALID_DATE_AND_TIME = 3;
   private static final int RESOLVED = 4;
   private static final int USED = 8;
+  private static final int INVALID_POSITION = 1;
 
   private final byte[] bytes;
   private final int at; // where the payload begins
@@ -80,7 +81,7 @@ public final class UbxDecoder {
         utc,
         (u8(11) & RESOLVED) != 0,
         u8(20),
-        (u8(21) & 1) != 0,
+        (u8(21) & 1) != 0 && (u8(78) & INVALID_POSITION) == 0,
         u8(23),
         latitude,
         longitude,

@@ -17,7 +17,7 @@ public sealed interface UbxMessage {
    * @param resolved whether the time is UTC for sure, to the second
    * @param fixType 0 none, 1 dead reckoning, 2 2-D, 3 3-D, 4 satellites and dead reckoning, 5 time
    *     only
-   * @param fixOk whether the fix is within the receiver's limits
+   * @param fixOk whether the fix is within the receiver's limits, and its position is valid
    * @param satellites satellites used
    * @param latitude degrees, north is +
    * @param longitude degrees, east is +

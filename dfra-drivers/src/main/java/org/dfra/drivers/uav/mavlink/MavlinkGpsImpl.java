@@ -10,6 +10,7 @@ import org.dfra.core.module.Examinations.Finding;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.ReceiverAttributes;
 import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.drivers.gps.WeekRollover;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.GpsRaw;
@@ -72,6 +73,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
 
   private final ReceiverAttributes attributes = new ReceiverAttributes(SENSOR);
+  private final WeekRollover rollover = new WeekRollover(clock());
   private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
 
   /**
@@ -132,9 +134,9 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
 
   private @Nullable Instant utc(Duration time) {
     if (MavlinkDecoder.isSince1970(time)) {
-      return Instant.EPOCH.plus(time);
+      return rollover.correct(Instant.EPOCH.plus(time));
     }
-    return switchedOn == null ? null : switchedOn.plus(time);
+    return switchedOn == null ? null : rollover.correct(switchedOn.plus(time));
   }
 
   private static GpsFix fix(GpsRaw raw, Instant utc) {
@@ -150,8 +152,8 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
                 raw.longitude(),
                 hasHeight ? Objects.requireNonNull(raw.height()) : 0),
         utc,
-        orZero(raw.speed()),
-        orZero(raw.course()),
+        raw.speed() == null ? Double.NaN : raw.speed(),
+        raw.course() == null ? Double.NaN : raw.course(),
         mode == GpsFix.Mode.FIX_3D
             ? Math.hypot(orZero(raw.horizontalDilution()), orZero(raw.verticalDilution()))
             : orZero(raw.horizontalDilution()),

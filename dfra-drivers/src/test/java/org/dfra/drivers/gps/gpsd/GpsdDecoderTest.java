@@ -57,6 +57,34 @@ class GpsdDecoderTest {
   }
 
   @Test
+  void minusOneIsUnknownWhereANumberCannotBeNegative() {
+    assertThat(
+            decode(
+                "{\"class\":\"SKY\",\"hdop\":-1,\"pdop\":-1.0,\"satellites\":[{\"PRN\":14,"
+                    + "\"gnssid\":-1,\"svid\":-1,\"el\":-1,\"az\":-1,\"ss\":-1,"
+                    + "\"used\":false}]}"))
+        .isEqualTo(
+            new Sky(
+                List.of(new Satellite(14, -1, -1, -1, Double.NaN, Double.NaN, false)),
+                Double.NaN,
+                Double.NaN));
+    Tpv tpv =
+        (Tpv)
+            decode(
+                "{\"class\":\"TPV\",\"mode\":3,\"status\":-1,\"lat\":-1,\"lon\":-1,\"altHAE\":-1,"
+                    + "\"track\":-1,\"speed\":-1,\"eph\":-1,\"epv\":-1}");
+    assertThat(tpv.status()).isZero();
+    assertThat(tpv.latitude()).as("a place").isEqualTo(-1);
+    assertThat(tpv.height()).as("a height").isEqualTo(-1);
+    assertThat(tpv.speed()).isNaN();
+    assertThat(tpv.track()).isNaN();
+    assertThat(tpv.horizontalError()).isNaN();
+    assertThat(tpv.verticalError()).isNaN();
+    assertThat(decode("{\"class\":\"SKY\",\"satellites\":[{\"PRN\":14,\"ss\":-2}]}"))
+        .isEqualTo(new Malformed("SKY", "ss -2.0 is outside 0.0 to 1000.0"));
+  }
+
+  @Test
   void readsTheSky() {
     assertThat(
             decode(

@@ -68,6 +68,9 @@ class M12DecoderTest {
     assertThat(decode(M12Commands.positionControl(PositionControl.Mode.SURVEY)))
         .isEqualTo(new PositionControl(PositionControl.Mode.SURVEY));
     assertThat(decode(M12Commands.utcTime())).isEqualTo(new TimeScale(true));
+    assertThat(decode(M12Commands.positionHold(PositionHold.Mode.ON)))
+        .isEqualTo(new PositionHold(PositionHold.Mode.ON));
+    assertThat(decode(M12Commands.askPositionHold())).isInstanceOf(MalformedMessage.class);
     assertThat(decode(M12Commands.encode("Bo", 18))).isEqualTo(new UtcOffset(18));
     assertThat(new UtcOffset(0).isKnown()).isFalse();
     assertThat(decode(M12Commands.time(Instant.parse("2026-11-21T13:01:29.9Z"))))

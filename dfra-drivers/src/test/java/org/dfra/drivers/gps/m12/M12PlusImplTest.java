@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.dfra.drivers.fixture.Modules.await;
 import static org.dfra.drivers.fixture.Modules.parameter;
+import static org.dfra.module.Readiness.INITIALIZING;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.LocalDateTime;
 import java.util.HashMap;
 import java.util.Map;
 import org.dfra.core.config.ConfigurationException;
@@ -192,14 +194,103 @@ class M12PlusImplTest extends ScriptedM12 {
     await().until(() -> link.written().size() == ORDERS + 3);
     assertThat(link.written().subList(ORDERS, ORDERS + 3))
         .containsExactly(
-            M12Commands.holdOff(),
+            M12Commands.positionHold(PositionHold.Mode.OFF),
             M12Commands.positionOf8Channels(1),
             M12Commands.timeRaimOf8Channels(1));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
     awaitReadiness(Readiness.READY);
     assertThat(gps.fix().position()).isEqualTo(new GeoPosition(57.71, 12.02, 0));
-    assertThat(gps.time().utc()).isEqualTo("2026-01-21T07:33:29Z");
     await().until(() -> Integer.valueOf(8).equals(gps.receiver().channels()));
+  }
+
+  @Test
+  void eightChannelsTellNoTimeBeforeTheOffsetOfUtcIsKnown() {
+    LocalDateTime gpsTime = TIME.plusSeconds(18); // what the receiver shows until it knows better
+    gps.start();
+    link.say(M12Commands.utcTime());
+    link.say(M12Commands.encode("Bo", 0));
+    link.say(Frames.ea(gpsTime, 57.71, 12.02, 0x20));
+    awaitReadiness(Readiness.READY);
+    assertThat(gps.fix().position()).isEqualTo(new GeoPosition(57.71, 12.02, 0));
+    assertThat(gps.fix().utc()).as("the host's, not GPS time").isEqualTo(HOST);
+    assertRefuses(
+        gps::time,
+        "atrv1/gps_front is READY: the receiver has positions, but has not yet learned from the"
+            + " satellites how far GPS time is ahead of UTC; after a cold start that takes up to"
+            + " 12.5 minutes");
+    link.say(M12Commands.encode("Bo", 18));
+    link.say(Frames.ea(TIME.plusSeconds(1), 57.71, 12.02, 0x20));
+    await().until(() -> gps.counts().frames() == 5);
+    await().untilAsserted(() -> assertThat(gps.time().utc()).isEqualTo("2026-01-21T07:33:30Z"));
+    assertThat(gps.fix().utc()).isEqualTo("2026-01-21T07:33:30Z");
+  }
+
+  @Test
+  void eightChannelsTellNoTimeBeforeTheyConfirmUtc() {
+    gps.start();
+    link.say(M12Commands.encode("Bo", 18));
+    link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
+    awaitReadiness(Readiness.READY);
+    assertRefuses(
+        gps::time,
+        "atrv1/gps_front is READY: the receiver has positions, but has not yet confirmed (@@Aw)"
+            + " that it reports UTC and not GPS time");
+  }
+
+  @Test
+  void servesThePositionThatAnEightChannelReceiverHolds() {
+    byte[] held = Frames.with(Frames.ea(TIME, 57.71, 12.02, 0x08), 39, 6, 1);
+    gps.setParameter("positioning", "hold");
+    gps.start();
+    await().until(() -> link.written().size() == ORDERS);
+    ticker.step(Duration.ofSeconds(2).plusNanos(1));
+    await().until(() -> link.written().size() == ORDERS + 3);
+    assertThat(link.written().get(ORDERS))
+        .isEqualTo(M12Commands.positionHold(PositionHold.Mode.ON));
+    link.say(held);
+    await().until(() -> gps.counts().frames() == 1);
+    assertThat(gps.readiness()).as("acquiring, as far as is known").isEqualTo(INITIALIZING);
+    link.say(M12Commands.positionHold(PositionHold.Mode.ON)); // acknowledges
+    link.say(held);
+    awaitReadiness(Readiness.READY);
+    assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
+    assertThat(gps.fix().position()).isEqualTo(new GeoPosition(57.71, 12.02, 0));
+    gps.setParameter("positioning", "position_3d");
+    await().until(() -> link.written().size() == ORDERS + 5);
+    assertThat(link.written().get(ORDERS + 4))
+        .isEqualTo(M12Commands.positionHold(PositionHold.Mode.OFF));
+    link.say(M12Commands.positionHold(PositionHold.Mode.OFF));
+    link.say(held);
+    await().until(() -> gps.fix().mode() == GpsFix.Mode.NONE);
+  }
+
+  @Test
+  void asksWhetherASurveyHasEnded() {
+    byte[] held = Frames.with(Frames.ea(TIME, 57.71, 12.02, 0x08), 39, 6, 1);
+    gps.start();
+    await().until(() -> link.written().size() == ORDERS);
+    link.say(M12Commands.positionHold(PositionHold.Mode.SURVEY));
+    link.say(held);
+    await().until(() -> link.written().size() == ORDERS + 1);
+    assertThat(link.written().get(ORDERS)).isEqualTo(M12Commands.askPositionHold());
+    assertThat(gps.readiness()).isEqualTo(INITIALIZING);
+    link.say(M12Commands.positionHold(PositionHold.Mode.ON));
+    link.say(held);
+    awaitReadiness(Readiness.READY);
+  }
+
+  @Test
+  void aReceiverThatSearchesHoldsNothing() {
+    gps.start();
+    link.say(M12Commands.positionHold(PositionHold.Mode.ON));
+    link.say(Frames.ea(TIME, 57.71, 12.02, 0x0A)); // nothing tracked, fewer than 3 visible
+    link.say(Frames.ea(TIME, 57.71, 12.02, 0x88)); // propagated
+    await().until(() -> gps.counts().frames() == 3);
+    assertThat(gps.readiness()).isEqualTo(INITIALIZING);
+    link.say(Frames.ea(TIME, 57.71, 12.02, 0x08));
+    awaitReadiness(Readiness.READY);
+    assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
+    assertThatThrownBy(gps::time).hasMessageContaining("tracks no satellite");
   }
 
   @Test

@@ -8,15 +8,19 @@ import java.time.LocalTime;
 import java.util.List;
 import org.dfra.drivers.fixture.Sentences;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gga;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Gns;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Malformed;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Other;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Rmc;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Satellite;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Vtg;
+import org.dfra.drivers.gps.nmea.NmeaSentence.Zda;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class NmeaDecoderTest {
 
@@ -86,8 +90,81 @@ class NmeaDecoderTest {
 
   @Test
   void otherSentencesAreNamed() {
-    assertThat(decode("GPVTG,054.7,T,034.4,M,005.5,N,010.2,K")).isEqualTo(new Other("GP", "VTG"));
+    assertThat(decode("GPGLL,4916.45,N,12311.12,W,225444,A")).isEqualTo(new Other("GP", "GLL"));
     assertThat(decode("PUBX,00,1")).isEqualTo(new Other("", "PUBX"));
+  }
+
+  @Test
+  void readsGns() {
+    Gns gns =
+        (Gns) decode("GNGNS,122310.2,3722.425671,N,12258.856215,W,DAN,14,0.9,1005.543,6.5,5.2,23");
+    assertThat(gns.talker()).isEqualTo("GN");
+    assertThat(gns.time()).isEqualTo(LocalTime.of(12, 23, 10, 200_000_000));
+    assertThat(gns.latitude()).isCloseTo(37 + 22.425671 / 60, within(1e-12));
+    assertThat(gns.longitude()).isCloseTo(-122 - 58.856215 / 60, within(1e-12));
+    assertThat(gns.modes()).isEqualTo("DAN");
+    assertThat(gns.quality()).as("the best: differential").isEqualTo(2);
+    assertThat(gns.used()).isEqualTo(14);
+    assertThat(gns.dilution()).isEqualTo(0.9);
+    assertThat(gns.altitude()).isEqualTo(1005.543);
+    assertThat(gns.separation()).isEqualTo(6.5);
+    assertThat(((Gns) decode("GPGNS,122310.2,,,,,,7,,,,5.2,23")).modes()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "NN, 0", "AN, 1", "NA, 1", "AD, 2", "P, 3", "RA, 4", "AF, 5", "EN, 6", "MN, 7", "SN, 8", "X, 0"
+  })
+  void theBestSystemGivesTheQualityOfGns(String modes, int quality) {
+    assertThat(((Gns) decode("GNGNS,122310,,,,," + modes + ",14,,,,,")).quality())
+        .isEqualTo(quality);
+  }
+
+  @Test
+  void readsVtgOfOldAndNewReceivers() {
+    Vtg vtg = (Vtg) decode("GNVTG,054.7,T,034.4,M,005.5,N,010.2,K,D");
+    assertThat(vtg.course()).isEqualTo(54.7);
+    assertThat(vtg.speed()).isCloseTo(5.5 * 1852 / 3600, within(1e-9));
+    assertThat(vtg.mode()).isEqualTo('D');
+    assertThat(((Vtg) decode("GPVTG,,T,,M,,N,7.2,K")).speed()).isCloseTo(2, within(1e-9));
+    assertThat(((Vtg) decode("GPVTG,054.7,034.4,005.5,010.2")).speed())
+        .isCloseTo(5.5 * 1852 / 3600, within(1e-9));
+    assertThat(decode("GPVTG,,,,,,,,,N")).isEqualTo(new Vtg("GP", Double.NaN, Double.NaN, 'N'));
+  }
+
+  @Test
+  void readsZdaWithItsZone() {
+    assertThat(decode("GNZDA,201530.00,04,07,2002,00,00"))
+        .isEqualTo(new Zda("GN", LocalTime.of(20, 15, 30), LocalDate.of(2002, 7, 4), 0));
+    assertThat(decode("GPZDA,201530,04,07,2002,-05,30"))
+        .isEqualTo(new Zda("GP", LocalTime.of(20, 15, 30), LocalDate.of(2002, 7, 4), -330));
+    assertThat(((Zda) decode("GPZDA,201530,04,07,2002,-00,30")).localZone()).isEqualTo(-30);
+    assertThat(decode("GPZDA,,,,,,")).isEqualTo(new Zda("GP", null, null, null));
+    assertThat(((Zda) decode("GPZDA,000001,00,00,0000,,")).date()).isNull();
+    assertThat(decode("GPZDA,201530,31,06,2002,00,00"))
+        .isEqualTo(
+            new Malformed("GP", "ZDA", "day \"31\" in field 2 is not a day of month 6 of 2002"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"GP", "GN", "GL", "GA", "GB", "BD", "GQ", "QZ", "GI", "IN"})
+  void readsEveryTalker(String talker) {
+    for (String body :
+        List.of(
+            "RMC,,V,,,,,,,,,,N",
+            "GGA,,,,,,0,,,,,,,,",
+            "GNS,,,,,,NN,,,,,,",
+            "VTG,,T,,M,,N,,K,N",
+            "ZDA,,,,,,")) {
+      NmeaSentence sentence = decode(talker + body);
+      assertThat(sentence.talker()).isEqualTo(talker);
+      assertThat(sentence).isNotInstanceOfAny(Other.class, Malformed.class);
+    }
+  }
+
+  @Test
+  void aDateOfZerosIsUnknown() {
+    assertThat(((Rmc) decode("GPRMC,,V,,,,,,,000000,,,N")).date()).isNull();
   }
 
   @Test

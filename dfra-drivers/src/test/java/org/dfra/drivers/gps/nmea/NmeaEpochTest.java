@@ -48,7 +48,8 @@ class NmeaEpochTest {
     }
     assertThat(told).hasSize(5);
     assertThat(told.get(4).fix().utc()).as("the host's day").isEqualTo("2026-11-21T00:00:14Z");
-    assertThat(told.get(4).utcDoubt()).isEqualTo("has not told the date yet, which only RMC does");
+    assertThat(told.get(4).utcDoubt())
+        .isEqualTo("has not reported the date yet, which only RMC and ZDA do");
     hear(RMC.formatted("000015"));
     hear(GGA.formatted("000015"));
     assertThat(told).as("and that it sends both after all").hasSize(6);
@@ -110,6 +111,108 @@ class NmeaEpochTest {
     assertThat(told)
         .extracting(solution -> solution.fix().mode())
         .containsExactly(GpsFix.Mode.NONE, GpsFix.Mode.NONE, GpsFix.Mode.POSITION_HOLD);
+  }
+
+  @Test
+  void keepsSpeedAndCourseForTwoSecondsWhereGgaComesMoreOften() {
+    for (int tenth = 0; tenth < 3; tenth++) {
+      hear(GGA.formatted("12000%d.00".formatted(tenth))); // and learns that it need not wait
+    }
+    told.clear();
+    hear(RMC.formatted("120010.00"));
+    hear(GGA.formatted("120010.00"));
+    for (int fifth = 1; fifth <= 12; fifth++) {
+      hear(GGA.formatted("1200%d.%d0".formatted(10 + fifth / 5, fifth % 5 * 2)));
+    }
+    // The first three without RMC wait for the next.
+    List<GpsFix> fixes = told.stream().map(Solution::fix).toList();
+    assertThat(fixes).hasSize(13);
+    assertThat(fixes.subList(0, 11))
+        .allSatisfy(fix -> assertThat(fix.speed()).isCloseTo(5.1444, within(1e-4)))
+        .allSatisfy(fix -> assertThat(fix.course()).isEqualTo(84.4));
+    assertThat(fixes.get(10).utc()).isEqualTo("2026-11-21T12:00:12Z");
+    assertThat(fixes.subList(11, 13))
+        .as("older than 2 s is unknown, not 0")
+        .allSatisfy(fix -> assertThat(fix.speed()).isNaN())
+        .allSatisfy(fix -> assertThat(fix.course()).isNaN());
+  }
+
+  @Test
+  void speedAndCourseAreKeptAcrossMidnight() {
+    hear(RMC.formatted("235959.00"));
+    hear(GGA.formatted("235959.00"));
+    for (int second = 0; second < 3; second++) {
+      hear(GGA.formatted("00000%d.00".formatted(second)));
+    }
+    assertThat(told)
+        .extracting(solution -> Double.isNaN(solution.fix().speed()))
+        .containsExactly(false, false, false, true);
+  }
+
+  @Test
+  void aReceiverThatStandsByNothingHasNoSpeed() {
+    hear(RMC.formatted("120000"));
+    hear(GGA.formatted("120000"));
+    hear(RMC.formatted("120001").replace(",A,48", ",V,48"));
+    hear(GGA.formatted("120001"));
+    hear(GGA.formatted("120002"));
+    hear(GGA.formatted("120003"));
+    assertThat(told).hasSize(4);
+    assertThat(told.get(1).fix().speed()).isNaN();
+    assertThat(told.get(2).fix().speed()).as("not the old one again").isNaN();
+  }
+
+  @Test
+  void takesSpeedAndCourseOfVtg() {
+    for (int second = 0; second < 4; second++) {
+      hear(GGA.formatted("12000" + second));
+      hear("GNVTG,054.7,T,034.4,M,010.0,N,018.5,K,A");
+    }
+    GpsFix last = told.get(told.size() - 1).fix();
+    assertThat(last.utc()).isEqualTo("2026-11-21T12:00:03Z"); // the host's nearest day
+    assertThat(last.speed()).isCloseTo(5.1444, within(1e-4));
+    assertThat(last.course()).isEqualTo(54.7);
+    hear("GNVTG,,T,,M,,N,,K,N");
+    hear(GGA.formatted("120004"));
+    assertThat(told.get(told.size() - 1).fix().speed()).isNaN();
+  }
+
+  @Test
+  void takesGnsForGga() {
+    hear("GNRMC,120000,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A");
+    hear("GNGNS,120000,4807.038,N,01131.0,E,AAN,14,0.9,545.4,46.9,,");
+    hear("GPGNS,120000,,,,,,7,,,,,");
+    hear(GGA.formatted("120000").replace("545.4", "9999"));
+    assertThat(told).hasSize(1);
+    GpsFix fix = told.get(0).fix();
+    assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+    assertThat(fix.position().height()).isCloseTo(592.3, within(1e-9));
+    assertThat(fix.satellitesTracked()).isEqualTo(14);
+    assertThat(fix.dilution()).isEqualTo(0.9);
+    hear("GNRMC,120001,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A");
+    hear("GNGNS,120001,4807.038,N,01131.0,E,NN,00,,,,,");
+    assertThat(told.get(1).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
+  }
+
+  @Test
+  void zdaTellsTheDateThatGgaLacks() {
+    hear("GNZDA,235959.00,04,07,2026,00,00");
+    for (String time : List.of("235959.00", "000000.00", "000001.00", "000002.00")) {
+      hear(GGA.formatted(time));
+    }
+    Solution last = told.get(told.size() - 1);
+    assertThat(last.fix().utc()).as("the next day").isEqualTo("2026-07-05T00:00:02Z");
+    assertThat(last.utcDoubt()).isNull();
+  }
+
+  @Test
+  void theDateGoesOnAtMidnightWhereRmcIsLate() {
+    hear(RMC.formatted("235959"));
+    hear(GGA.formatted("235959"));
+    hear(GGA.formatted("000000"));
+    hear(GGA.formatted("000001"));
+    assertThat(told.get(1).fix().utc()).isEqualTo("2026-11-22T00:00:00Z");
+    assertThat(told.get(1).utcDoubt()).isNull();
   }
 
   @Test

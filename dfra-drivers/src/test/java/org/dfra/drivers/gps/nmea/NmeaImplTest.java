@@ -85,6 +85,16 @@ class NmeaImplTest {
   }
 
   @Test
+  void correctsADateThatIs1024WeeksTooEarly() {
+    link.say(GGA);
+    link.say(Sentences.with("GNRMC,120000,A,4807.038,N,01131.0,E,10.0,84.4,070407,,,A"));
+    awaitReadiness(gps, Readiness.READY);
+    assertThat(gps.time().utc()).isEqualTo("2026-11-21T12:00:00Z");
+    assertThat(gps.fix().utc()).isEqualTo("2026-11-21T12:00:00Z");
+    assertThat(gps.location().measured()).isEqualTo("2026-11-21T12:00:00Z");
+  }
+
+  @Test
   void showsWhatItDropped() {
     link.say(Sentences.bytes("noise"));
     link.say(Sentences.with("GPGGA,25,,,,,1,,,,,,,,"));

@@ -68,6 +68,12 @@ class UbxDecoderTest {
   }
 
   @Test
+  void aPositionThatTheReceiverCallsInvalidIsNoFix() {
+    put(78, 1, 1); // as with a fix of time only
+    assertThat(((NavPvt) decode(UbxFramer.NAV_PVT, pvt)).fixOk()).isFalse();
+  }
+
+  @Test
   void knowsNoTimeThatIsNotValid() {
     put(11, 1, 1);
     put(6, 0, 1);
