@@ -21,7 +21,7 @@ import java.time.Duration;
 
 /**
  * Values as JSON: a record as an object, an instant in ISO 8601 in UTC, a duration in seconds, what
- * is absent as null.
+ * is absent as null, and so is a number that is not known (NaN).
  */
 final class Json {
 
@@ -30,6 +30,10 @@ final class Json {
           .addModule(new JavaTimeModule())
           .addModule(new Jdk8Module())
           .addModule(new Durations())
+          .addModule(
+              new SimpleModule("numbers that are known")
+                  .addSerializer(Double.class, new Known())
+                  .addSerializer(Double.TYPE, new Known()))
           .disable(SerializationFeature.WRITE_DATES_AS_TIMESTAMPS)
           .disable(SerializationFeature.FAIL_ON_EMPTY_BEANS)
           .build();
@@ -66,6 +70,26 @@ final class Json {
           : MAPPER.writeValueAsString(value);
     } catch (JsonProcessingException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  /** A number that is not known is NaN in DFRA's records; JSON has no such number. */
+  private static final class Known extends StdSerializer<Double> {
+
+    private static final long serialVersionUID = 1L;
+
+    Known() {
+      super(Double.class);
+    }
+
+    @Override
+    public void serialize(Double value, JsonGenerator out, SerializerProvider provider)
+        throws IOException {
+      if (value.isNaN()) {
+        out.writeNull();
+      } else {
+        out.writeNumber(value);
+      }
     }
   }
 
