@@ -70,7 +70,7 @@ public final class ServedModules implements AutoCloseable {
     Ending ending = new Ending(whose);
     List<ModuleServer<?>> order = ShutdownOrder.of(serving);
     serving.clear();
-    order.forEach(each -> ending.end(each::halt));
+    order.forEach(ModuleServer::halt);
     order.forEach(ending::end);
     ending.end(registrar);
     ending.orThrow();

@@ -183,7 +183,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   @Override
   public void destroy() throws RemoteException {
-    cleanly(server::halt); // before the activation system is asked, which may not answer
+    server.halt(); // before the activation system is asked, which may not answer
     try {
       unregister();
     } finally {
@@ -206,16 +206,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
     }
   }
 
-  private static void cleanly(Runnable ending) {
+  private void end() throws RemoteException {
     try {
-      ending.run();
-    } catch (RuntimeException e) { // a driver's fault; the rest must end all the same
+      server.close();
+    } catch (IllegalStateException e) {
       LOG.warn("A module did not end cleanly: {}", e.toString(), e);
     }
-  }
-
-  private void end() throws RemoteException {
-    cleanly(server::close);
     if (id != null) {
       try {
         ActivationGroup.inactive(id, serverExporter);

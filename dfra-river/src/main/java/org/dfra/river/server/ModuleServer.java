@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
@@ -63,6 +64,7 @@ public abstract class ModuleServer<M extends Module>
   private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
   private volatile @Nullable ModuleImpl mover; // the driver, where it moves the robot
+  private final AtomicReference<@Nullable RuntimeException> haltFault = new AtomicReference<>();
 
   /**
    * Step 1: the activation system constructs the server; the other five follow.
@@ -157,6 +159,13 @@ public abstract class ModuleServer<M extends Module>
   private Ending undoAll() {
     Ending ending = new Ending(path);
     ending.end(this::halt);
+    @Nullable RuntimeException fault = haltFault.getAndSet(null);
+    if (fault != null) {
+      ending.end(
+          () -> {
+            throw fault;
+          });
+    }
     synchronized (undo) {
       while (!undo.isEmpty()) {
         ending.end(undo.pop());
@@ -168,12 +177,18 @@ public abstract class ModuleServer<M extends Module>
   /**
    * Closes the driver of a module that moves the robot, which comes to rest and takes no command
    * any more. Does nothing for any other module, nor when already closed. Whoever ends several
-   * modules halts all of them before it closes the first.
+   * modules halts all of them before it closes the first. What goes wrong is reported by {@link
+   * #close}.
    */
   public final void halt() {
     @Nullable ModuleImpl moving = mover;
-    if (moving != null) {
+    if (moving == null) {
+      return;
+    }
+    try {
       moving.close();
+    } catch (RuntimeException e) {
+      haltFault.set(e);
     }
   }
 
