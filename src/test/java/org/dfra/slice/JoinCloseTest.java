@@ -35,6 +35,9 @@ class JoinCloseTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
+  /** A close that ends sooner than its patience of 1 s has awaited everything. */
+  private static final Duration CERTAIN = Duration.ofMillis(500);
+
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 
   private final UUID id = UUID.randomUUID();
@@ -52,13 +55,18 @@ class JoinCloseTest {
     assertThat(registrations()).as("granted, but its answer is held").isEqualTo(1);
 
     Thread closing = new Thread(join::close, "closing");
+    long began = System.nanoTime();
     closing.start();
     await().atMost(PATIENCE).until(() -> closing.getState() == Thread.State.TIMED_WAITING);
     assertThat(held.interrupted).as("the registration was interrupted").hasValue(0);
     held.release.countDown();
     closing.join();
 
-    assertThat(registrations()).as("after the close").isZero();
+    if (System.nanoTime() - began < CERTAIN.toNanos()) {
+      assertThat(registrations()).as("after the close").isZero();
+    } else { // the machine was slower than the close is patient
+      await().atMost(PATIENCE).untilAsserted(() -> assertThat(registrations()).isZero());
+    }
   }
 
   @Test

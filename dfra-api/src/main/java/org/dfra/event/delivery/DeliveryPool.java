@@ -7,6 +7,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
@@ -30,8 +31,12 @@ public final class DeliveryPool {
       new DeliveryPool(
           Math.max(2, Math.min(4, Runtime.getRuntime().availableProcessors())), Scheduler.system());
 
+  /** How long to wait before a thread is asked for again where none could be started. */
+  private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+
   private final int few;
   private final Scheduler scheduler;
+  private final Consumer<Thread> starter;
   private final LinkedBlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
   private final Set<Worker> workers = ConcurrentHashMap.newKeySet();
   private final AtomicInteger names = new AtomicInteger();
@@ -42,8 +47,18 @@ public final class DeliveryPool {
    * @param scheduler the time by which a thread counts as blocked
    */
   public DeliveryPool(int few, Scheduler scheduler) {
+    this(few, scheduler, Thread::start);
+  }
+
+  /**
+   * The same, where threads are started in another way.
+   *
+   * @param starter starts a thread, or throws what {@link Thread#start} throws
+   */
+  DeliveryPool(int few, Scheduler scheduler, Consumer<Thread> starter) {
     this.few = few;
     this.scheduler = scheduler;
+    this.starter = starter;
   }
 
   /** The pool of this virtual machine. */
@@ -67,10 +82,7 @@ public final class DeliveryPool {
       return;
     }
     turns.add(turn);
-    replaceBlocked();
-    if (!turns.isEmpty() && looking.compareAndSet(false, true)) {
-      scheduler.after(BLOCKED_NANOS, this::look);
-    }
+    serveAll();
   }
 
   /** How many threads there are. */
@@ -80,21 +92,42 @@ public final class DeliveryPool {
 
   private void look() {
     looking.set(false);
-    replaceBlocked();
+    serveAll();
+  }
+
+  /** Sees to it that what waits is served: now, or else looks again soon. Never throws. */
+  private void serveAll() {
+    boolean started = replaceBlocked();
     if (!turns.isEmpty() && looking.compareAndSet(false, true)) {
-      scheduler.after(BLOCKED_NANOS, this::look);
+      try {
+        scheduler.after(started ? BLOCKED_NANOS : RETRY_NANOS, this::look);
+      } catch (OutOfMemoryError e) { // the timer has no thread either; the next turn tries again
+        looking.set(false);
+        LOG.log(Level.WARNING, "deliveries wait for a thread: " + e);
+      }
     }
   }
 
-  private void replaceBlocked() {
-    if (!turns.isEmpty() && atWork() < few) {
-      synchronized (workers) {
-        if (atWork() < few) {
-          Worker worker = new Worker();
-          workers.add(worker);
-          worker.start();
-        }
-      }
+  /** Has a thread serve where too few do; false where none could be started. */
+  private boolean replaceBlocked() {
+    if (turns.isEmpty() || atWork() >= few) {
+      return true;
+    }
+    synchronized (workers) {
+      return atWork() >= few || startOne();
+    }
+  }
+
+  private boolean startOne() {
+    Worker worker = new Worker();
+    workers.add(worker); // before it runs, since it takes itself out
+    try {
+      starter.accept(worker);
+      return true;
+    } catch (OutOfMemoryError e) { // no room for one more thread; others serve, or a later one
+      workers.remove(worker);
+      LOG.log(Level.WARNING, "deliveries wait for a thread, which is tried again: " + e);
+      return false;
     }
   }
 
@@ -140,7 +173,7 @@ public final class DeliveryPool {
         LOG.log(Level.WARNING, "{0} was interrupted and ends", getName());
       } finally {
         workers.remove(this);
-        replaceBlocked(); // a turn may have come while this one was ending
+        serveAll(); // a turn may have come while this one was ending
       }
     }
 

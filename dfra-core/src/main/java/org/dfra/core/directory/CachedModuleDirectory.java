@@ -152,7 +152,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   public final <M extends Module> Watch listen(
       ModuleQuery<M> query, DirectoryListener<M> listener) {
     ListenerFeed<M> feed =
-        new ListenerFeed<>(id -> look(id, query), listener, tellers, this::dismiss);
+        new ListenerFeed<>(id -> look(id, query), listener, tellers, scheduler, this::dismiss);
     lock.lock();
     try {
       if (closed) {

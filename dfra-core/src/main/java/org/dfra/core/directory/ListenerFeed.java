@@ -1,5 +1,6 @@
 package org.dfra.core.directory;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -13,6 +14,7 @@ import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.Watch;
 import org.dfra.module.Module;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,9 +27,13 @@ final class ListenerFeed<M extends Module> implements Watch, Consumer<UUID> {
 
   private static final Logger LOG = LoggerFactory.getLogger(ListenerFeed.class);
 
+  /** How long to wait before a thread is asked for again where there is none. */
+  static final Duration RETRY = Duration.ofMillis(200);
+
   private final Function<UUID, @Nullable ModuleListing<M>> look;
   private final DirectoryListener<M> listener;
   private final Executor threads;
+  private final Scheduler scheduler;
   private final Runnable onClose;
   private final Map<UUID, ModuleListing<M>> told = new HashMap<>(); // by the draining thread
   private final Set<UUID> waiting = new LinkedHashSet<>(); // guarded by this
@@ -36,15 +42,19 @@ final class ListenerFeed<M extends Module> implements Watch, Consumer<UUID> {
 
   /**
    * @param look the listing of a module that matches now, or null
+   * @param threads where the listener is notified
+   * @param scheduler the time after which {@code threads} are asked again where they refuse
    */
   ListenerFeed(
       Function<UUID, @Nullable ModuleListing<M>> look,
       DirectoryListener<M> listener,
       Executor threads,
+      Scheduler scheduler,
       Consumer<ListenerFeed<M>> onClose) {
     this.look = look;
     this.listener = listener;
     this.threads = threads;
+    this.scheduler = scheduler;
     this.onClose = () -> onClose.accept(this);
   }
 
@@ -60,7 +70,20 @@ final class ListenerFeed<M extends Module> implements Watch, Consumer<UUID> {
       }
       draining = true;
     }
-    threads.execute(this::drain);
+    begin();
+  }
+
+  /** Has a thread drain what waits; where none can be started now, tries again after a while. */
+  private void begin() {
+    try {
+      threads.execute(this::drain);
+    } catch (RuntimeException | Error e) {
+      LOG.warn(
+          "A directory listener cannot be notified now ({}); it is tried again every {} ms.",
+          e.toString(),
+          RETRY.toMillis());
+      Scheduler.Task unused = scheduler.after(RETRY.toNanos(), this::begin);
+    }
   }
 
   private void drain() {
@@ -94,7 +117,7 @@ final class ListenerFeed<M extends Module> implements Watch, Consumer<UUID> {
       } else if (before != null && now != null && before != now) {
         listener.changed(before, now);
       }
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) { // what comes next must reach it all the same
       LOG.warn("A directory listener failed: {}", e.toString(), e);
     }
   }

@@ -93,6 +93,36 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
+  /**
+   * {@inheritDoc} The end of the commander's lease waits for the command that is under way. Where
+   * the driver is held up by that, the lease ends when the driver goes on, and the device is closed
+   * now: that may be all that sets the driver free.
+   */
+  @Override
+  protected final void endLeases() {
+    if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
+      super.endLeases();
+      return;
+    }
+    log.warn("{}: a command is held up in its driver, which is closed nevertheless", path());
+    haltMeanwhile();
+    Thread later = new Thread(super::endLeases, path() + " leases");
+    later.setDaemon(true);
+    try {
+      later.start();
+    } catch (OutOfMemoryError e) { // they end with their process; the device must be closed now
+      log.warn("{}: its leases could not be ended: {}", path(), e.toString());
+    }
+  }
+
+  private void haltMeanwhile() {
+    try {
+      restMeanwhile();
+    } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows
+      log.error("{}: it could not be halted while it is held up", path(), e);
+    }
+  }
+
   private void revoke(UUID lease) {
     boolean unused = leases().revoke(lease);
   }
@@ -106,11 +136,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
 
     @Override
     public void restMeanwhile() {
-      try {
-        EffectorImpl.this.restMeanwhile();
-      } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows
-        log.error("{}: it could not be halted while it is held up", path(), e);
-      }
+      haltMeanwhile();
     }
 
     /** Before its life and after it there is nothing to be noted in. */

@@ -192,7 +192,7 @@ public final class Helm {
    * @param meanwhile done before, once, where a command does not end within a tenth of a second
    */
   void betweenCommands(Runnable task, Runnable meanwhile) {
-    if (!isFreeSoon()) {
+    if (!lockSoon()) {
       meanwhile.run();
       acting.lock();
     }
@@ -203,9 +203,19 @@ public final class Helm {
     }
   }
 
-  private boolean isFreeSoon() {
+  /** Whether no command is under way, or the one that is ends within a tenth of a second. */
+  boolean isFreeSoon() {
+    if (!lockSoon()) {
+      return false;
+    }
+    acting.unlock();
+    return true;
+  }
+
+  private boolean lockSoon() {
     try {
-      return acting.tryLock(100, TimeUnit.MILLISECONDS);
+      return acting.tryLock() // also for a thread that is interrupted
+          || acting.tryLock(100, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return false;

@@ -120,10 +120,15 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
       return;
     }
     try {
-      leases.close();
+      endLeases();
     } finally { // the device is closed even where a holder's end went wrong
       closeDevice();
     }
+  }
+
+  /** Ends every lease, before the device is closed. Must not wait for the driver. */
+  protected void endLeases() {
+    leases.close();
   }
 
   private void closeDevice() {

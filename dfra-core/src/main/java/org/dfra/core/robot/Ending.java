@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 public final class Ending {
 
   private final String whose;
-  private final List<Exception> failures = new ArrayList<>(); // guarded by this
+  private final List<Throwable> failures = new ArrayList<>(); // guarded by this
 
   /**
    * @param whose end it is, for the message, e.g. {@code robot atrv1}
@@ -28,7 +28,7 @@ public final class Ending {
   public void end(AutoCloseable thing) {
     try {
       thing.close();
-    } catch (Exception e) { // as AutoCloseable declares it; each is told by orThrow
+    } catch (Exception | Error e) { // as AutoCloseable declares it; orThrow reports each
       if (e instanceof InterruptedException) {
         Thread.currentThread().interrupt();
       }

@@ -22,8 +22,8 @@ import org.dfra.time.Scheduler;
  * lookup service, no activation, no proxies. It is made of the same XML as one on the network, of
  * which only the drivers count. Several robots with one directory are a team.
  *
- * <p>{@link #start} starts the modules in the order written; {@link #close} ends them, the last
- * first.
+ * <p>{@link #start} starts the modules in the order written; {@link #close} ends them in {@link
+ * ShutdownOrder}.
  */
 public final class LocalRobot implements AutoCloseable {
 
@@ -111,22 +111,21 @@ public final class LocalRobot implements AutoCloseable {
   }
 
   /**
-   * Ends the modules, the last first.
+   * Ends the modules, effectors first; see {@link ShutdownOrder}.
    *
    * @throws IllegalStateException if one could not be ended; the others were
    */
   @Override
   public synchronized void close() {
-    listed.forEach(Watch::close);
+    Ending ending = endAll();
+    listed.forEach(each -> ending.end(each::close));
     listed.clear();
-    endAll().orThrow(IllegalStateException::new);
+    ending.orThrow(IllegalStateException::new);
   }
 
   private Ending endAll() {
     Ending ending = new Ending("robot " + name);
-    for (int i = modules.size() - 1; i >= 0; i--) {
-      ending.end(modules.get(i));
-    }
+    ShutdownOrder.of(modules).forEach(ending::end);
     return ending;
   }
 }

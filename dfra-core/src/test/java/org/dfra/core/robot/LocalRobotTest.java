@@ -8,16 +8,20 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
 import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
+import org.dfra.persona.DriveAttributes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -66,6 +70,58 @@ class LocalRobotTest {
       assertThat(robot.module("m2", Lamp.class)).isEmpty();
     }
     assertThat(directory.find(ModuleQuery.of(Module.class))).isEmpty();
+  }
+
+  /** Modules that have been closed, in order. */
+  private static final List<String> CLOSED = new CopyOnWriteArrayList<>();
+
+  /** An effector that writes down when it was closed. */
+  public static final class Wheels extends DriveImpl {
+    public Wheels(ModuleContext context) {
+      super(context, "wheels", "DFRA", "1", new DriveAttributes(1, 2, 1, 1), 0, List.of());
+    }
+
+    @Override
+    protected void onStart() {}
+
+    @Override
+    protected void onClose() {
+      CLOSED.add(path());
+    }
+
+    @Override
+    protected void turn(Velocity wanted) {}
+
+    @Override
+    protected void halt() {}
+
+    @Override
+    protected void brake(boolean set) {}
+  }
+
+  /** A module that moves nothing. */
+  public static final class Mast extends ModuleImpl {
+    public Mast(ModuleContext context) {
+      super(context, "a mast", "DFRA", "1");
+    }
+
+    @Override
+    protected void onStart() {}
+
+    @Override
+    protected void onClose() {
+      CLOSED.add(path());
+    }
+  }
+
+  @Test
+  void closesWhatMovesTheRobotFirstAndThenTheLastThatWasStarted() throws Exception {
+    CLOSED.clear();
+    LocalRobot robot =
+        make(robot(Wheels.class.getName(), Mast.class.getName(), Mast.class.getName()));
+    robot.start();
+    robot.close();
+    assertThat(CLOSED).containsExactly("atrv1/m0", "atrv1/m2", "atrv1/m1");
   }
 
   @Test

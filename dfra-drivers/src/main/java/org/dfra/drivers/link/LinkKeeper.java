@@ -154,7 +154,7 @@ public final class LinkKeeper implements AutoCloseable {
         reason = adopt(opened) ? serve(opened) : "closed";
       } catch (IOException e) {
         reason = String.valueOf(e.getMessage());
-      } catch (RuntimeException e) {
+      } catch (RuntimeException | Error e) { // whatever it is, the device must be kept
         log.error("the driver failed, its link is opened again: {}", e.toString(), e);
         reason = "the driver failed: " + e;
       }
@@ -211,7 +211,12 @@ public final class LinkKeeper implements AutoCloseable {
     }
     failures++;
     trouble = reason;
-    user.lost(reason);
+    try {
+      user.lost(reason);
+    } catch (RuntimeException | Error e) { // whatever it is, the link must be opened again
+      log.error("the driver failed when its link was lost: {}", e.toString(), e);
+      trouble = reason + "; and the driver failed: " + e;
+    }
     pause(backOff.after(failures).toNanos());
   }
 

@@ -105,6 +105,35 @@ class LinkKeeperTest {
   }
 
   @Test
+  void keepsTheLinkThoughTheUserFailsByAnErrorWhenItIsLost() {
+    talk.lostFails = new StackOverflowError("in lost");
+    keeper.start();
+    awaitTries(1);
+    ticker.awaitWaiting();
+    assertThat(keeper.trouble())
+        .isEqualTo(
+            "tcp://here:1: refused; and the driver failed: java.lang.StackOverflowError: in lost");
+    ticker.step(FIRST);
+    awaitTries(2);
+    assertThat(messages())
+        .contains(
+            "the driver failed when its link was lost: java.lang.StackOverflowError: in lost");
+  }
+
+  @Test
+  void keepsTheLinkThoughTheUserFailsByAnErrorWhenItIsOpened() {
+    links.add(new ScriptedLink("tcp://here:1"));
+    talk.openedFails = new ExceptionInInitializerError("in opened");
+    keeper.start();
+    awaitTries(1);
+    ticker.awaitWaiting();
+    assertThat(talk.reasons)
+        .containsExactly("the driver failed: java.lang.ExceptionInInitializerError: in opened");
+    ticker.step(FIRST);
+    awaitTries(2);
+  }
+
+  @Test
   void opensAnewWhenTheUserComplains() {
     ScriptedLink silent = new ScriptedLink("tcp://here:1");
     links.add(silent);
@@ -178,10 +207,16 @@ class LinkKeeperTest {
     final List<String> reasons = new CopyOnWriteArrayList<>();
     volatile @Nullable String complaint;
     volatile String throwOn = "";
+    volatile @Nullable Error lostFails;
+    volatile @Nullable Error openedFails;
 
     @Override
     public void opened(SerialLink link) {
       opened.add(link);
+      Error error = openedFails;
+      if (error != null) {
+        throw error;
+      }
     }
 
     @Override
@@ -202,6 +237,10 @@ class LinkKeeperTest {
     @Override
     public void lost(String reason) {
       reasons.add(reason);
+      Error error = lostFails;
+      if (error != null) {
+        throw error;
+      }
     }
   }
 }

@@ -18,16 +18,24 @@ import org.dfra.recruit.transport.Transport;
 import org.slf4j.Logger;
 
 /**
- * Brings letters to the agents that the directory knows, by one to each. Each robot has a thread of
- * its own here, so one that does not answer holds up its own letters only; of those that wait for
- * it, no more than {@value #WAITING} do, the next are lost. So is one that cannot be brought.
+ * Brings letters to the agents that the directory knows, by one to each. A robot has a thread of
+ * its own here while letters wait for it, so one that does not answer holds up its own letters
+ * only. At most {@value #WAITING} letters wait for a robot; further ones are lost. So is a letter
+ * that cannot be brought.
  */
 public final class DirectoryTransport implements Transport, AutoCloseable {
 
   private static final int WAITING = 32;
 
-  /** What goes to one robot. */
-  private record Route(Errands errands, AtomicInteger waiting) {}
+  /** What goes to one robot, while there is anything. */
+  private static final class Route {
+    final Errands errands;
+    int waiting; // changed within routes.compute only
+
+    Route(Errands errands) {
+      this.errands = errands;
+    }
+  }
 
   private final ModuleContext context;
   private final Logger log;
@@ -74,29 +82,54 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     if (isClosed) {
       return;
     }
+    AtomicInteger place = new AtomicInteger();
     Route route =
-        routes.computeIfAbsent(
+        routes.compute(
             robot,
-            name ->
-                new Route(
-                    new Errands(
-                        "dfra-letters " + context.path() + " to " + name, context.robotTime()),
-                    new AtomicInteger()));
-    if (route.waiting().incrementAndGet() > WAITING) {
-      int unused = route.waiting().decrementAndGet();
+            (name, known) -> {
+              Route to = known != null ? known : route(name);
+              to.waiting++;
+              place.set(to.waiting);
+              return to;
+            });
+    if (place.get() > WAITING) {
+      brought(robot);
       log.warn("{}: {} does not take letters; {} is lost", context.path(), robot, letter.message());
       return;
     }
-    route
-        .errands()
-        .now(
-            () -> {
-              try {
-                deliver(robot, letter);
-              } finally {
-                int unused = route.waiting().decrementAndGet();
-              }
-            });
+    try {
+      route.errands.now(() -> deliverAndCount(robot, letter));
+    } catch (OutOfMemoryError e) { // no room for one more thread; the next letter may find one
+      brought(robot);
+      log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
+    }
+  }
+
+  private Route route(String robot) {
+    return new Route(
+        new Errands("dfra-letters " + context.path() + " to " + robot, context.robotTime()));
+  }
+
+  /** One letter waits no more. With the last one, the robot's thread ends. */
+  private void brought(String robot) {
+    routes.computeIfPresent(
+        robot,
+        (name, route) -> {
+          route.waiting--;
+          if (route.waiting > 0) {
+            return route;
+          }
+          route.errands.close();
+          return null;
+        });
+  }
+
+  private void deliverAndCount(String robot, Letter letter) {
+    try {
+      deliver(robot, letter);
+    } finally {
+      brought(robot);
+    }
   }
 
   private void deliver(String robot, Letter letter) {
@@ -123,6 +156,6 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   @Override
   public void close() {
     isClosed = true;
-    routes.values().forEach(route -> route.errands().close());
+    routes.values().forEach(route -> route.errands.close());
   }
 }

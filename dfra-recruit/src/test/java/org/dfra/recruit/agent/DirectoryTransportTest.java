@@ -173,6 +173,29 @@ class DirectoryTransportTest {
     await().atMost(PATIENCE).until(() -> slow.contains(1000L));
   }
 
+  /** Names of threads that wait for letters, or bring one. */
+  private static List<String> couriers() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("dfra-letters uav/agent to courier-"))
+        .toList();
+  }
+
+  @Test
+  void aRobotHasAThreadOnlyWhileLettersWaitForIt() {
+    List<Long> taken = new CopyOnWriteArrayList<>();
+    agent("courier-taker", letter -> taken.add(letter.number()));
+    for (int robot = 0; robot < MANY; robot++) {
+      transport.send("courier-" + robot, letter(robot)); // gone, each under a name of its own
+    }
+    transport.send("courier-taker", letter(7));
+    await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers()).isEmpty());
+    transport.send("courier-taker", letter(8));
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(() -> assertThat(taken).as("in order").containsExactly(7L, 8L));
+  }
+
   @Test
   void whoeverHasLeftIsNotWrittenTo() {
     transport.send("nobody", letter(1));

@@ -20,7 +20,7 @@ import org.dfra.river.server.ModuleActivation;
  * next.
  *
  * <p>{@link #start} starts the registrar and then the modules in the order written; {@link #close}
- * ends them, the last first.
+ * ends them in {@link org.dfra.core.robot.ShutdownOrder}.
  */
 public final class EmbeddedRobot implements AutoCloseable {
 

@@ -3,12 +3,13 @@ package org.dfra.river.bootstrap;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationID;
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.util.ArrayList;
+import java.util.List;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.module.NamedClasses;
 import org.dfra.core.robot.Ending;
+import org.dfra.core.robot.ShutdownOrder;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
 
@@ -20,7 +21,7 @@ public final class ServedModules implements AutoCloseable {
 
   private final String whose;
   private final EmbeddedRegistrar registrar;
-  private final Deque<ModuleServer<?>> serving = new ArrayDeque<>(); // guarded by this
+  private final List<ModuleServer<?>> serving = new ArrayList<>(); // guarded by this
 
   /**
    * @param whose modules they are, for messages, e.g. {@code robot atrv1}
@@ -49,7 +50,7 @@ public final class ServedModules implements AutoCloseable {
     if (!ModuleServer.class.isAssignableFrom(type)) {
       throw classes.fault("server " + type.getName() + " is no ModuleServer", null);
     }
-    serving.push(
+    serving.add(
         (ModuleServer<?>)
             classes.construct(
                 "server",
@@ -60,15 +61,17 @@ public final class ServedModules implements AutoCloseable {
   }
 
   /**
-   * Ends the modules, the last first, and then the lookup service. Where one cannot be ended, the
+   * Ends the modules, and then the lookup service. What moves the robot is halted before any of
+   * them leaves the lookup service; see {@link ShutdownOrder}. Where one cannot be ended, the
    * others are, and then that is thrown.
    */
   @Override
   public synchronized void close() throws IOException {
     Ending ending = new Ending(whose);
-    while (!serving.isEmpty()) {
-      ending.end(serving.pop()::close);
-    }
+    List<ModuleServer<?>> order = ShutdownOrder.of(serving);
+    serving.clear();
+    order.forEach(ModuleServer::halt);
+    order.forEach(ending::end);
     ending.end(registrar);
     ending.orThrow();
   }

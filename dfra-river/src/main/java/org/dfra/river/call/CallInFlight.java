@@ -79,7 +79,10 @@ final class CallInFlight {
     return request != null;
   }
 
-  /** Whether bytes of the call may have reached the server. */
+  /**
+   * Whether bytes of the call may have reached the server. Final once the call was abandoned or has
+   * ended; before that, its first bytes may leave right after the answer.
+   */
   synchronized boolean mayHaveRun() {
     return request != null && request.getDeliveryStatus();
   }

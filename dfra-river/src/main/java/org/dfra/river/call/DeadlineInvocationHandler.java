@@ -101,17 +101,15 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       Throwable cause = e.getCause();
       throw cause instanceof Carried carried ? carried.getCause() : cause;
     } catch (TimeoutException e) {
-      boolean mayHaveRun = call.mayHaveRun();
       long awaited = call.hasLeft() ? deadlineMillis : Math.min(deadlineMillis, CONNECTED_MILLIS);
-      giveUp(call, peer);
+      boolean mayHaveRun = giveUp(call, peer);
       if (peer instanceof TcpEndpoint server) {
         PeerSockets.doubt(server);
       }
       throw new DeadlineExceededException(describe(method), Duration.ofMillis(awaited), mayHaveRun);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      boolean mayHaveRun = call.mayHaveRun();
-      giveUp(call, peer);
+      boolean mayHaveRun = giveUp(call, peer);
       throw new CallInterruptedException(describe(method), mayHaveRun);
     }
   }
@@ -132,11 +130,13 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return answer.get(rest, TimeUnit.MILLISECONDS);
   }
 
-  private static void giveUp(CallInFlight call, Object peer) {
+  /** Whether the call may have run; asked when nothing more of it can leave, not before. */
+  private static boolean giveUp(CallInFlight call, Object peer) {
     SILENT.hold(peer);
     if (!call.abandon()) {
       SILENT.letGo(peer);
     }
+    return call.mayHaveRun();
   }
 
   private @Nullable Object carry(

@@ -15,8 +15,8 @@ import net.jini.lookup.JoinManager;
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
 
-  /** For registrations under way: one that has begun ends within a call's deadline and a bit. */
-  private static final Duration PATIENCE = Duration.ofSeconds(3);
+  /** How long all lookup services together may take to forget the module. */
+  static final Duration PATIENCE = Duration.ofSeconds(1);
 
   private final Discovery discovery;
   private final JoinManager manager;
@@ -90,18 +90,26 @@ public final class Join implements AutoCloseable {
   }
 
   /**
-   * Takes the module out of every lookup service it joined, or was about to join. A registration
-   * under way is awaited for 3 s at the longest, and cancelled when its lookup service grants it.
+   * Takes the module out of every lookup service it joined, or was about to join. All of them are
+   * asked at the same time, and awaited for 1 s in all. A lookup service that does not answer by
+   * then forgets the module when its lease expires. A registration that is under way is cancelled
+   * as soon as it is granted.
    */
   @Override
   public void close() {
+    long began = System.nanoTime();
     renewals.close();
     manager.terminate();
     discovery.terminate();
     try {
-      threads.awaitEnd(PATIENCE);
+      threads.awaitEnd(left(began));
+      renewals.awaitCancelled(left(began));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // the caller is in a hurry; what is granted is cancelled
     }
+  }
+
+  private static Duration left(long began) {
+    return PATIENCE.minusNanos(System.nanoTime() - began);
   }
 }

@@ -73,6 +73,7 @@ final class RegistrarWatch implements AutoCloseable {
   private @Nullable EventRegistration registration; // by the thread
   private long sequence; // by the thread
   private long complete; // System.nanoTime when all was asked for; by the thread
+  private long beaten = System.nanoTime(); // when the last heartbeat was sent; by the thread
 
   /**
    * @param exporter exports the listener while the watch goes on
@@ -135,10 +136,14 @@ final class RegistrarWatch implements AutoCloseable {
           reconcile();
         }
         @Nullable ServiceEvent event =
-            events.poll(settings.heartbeat().toNanos(), TimeUnit.NANOSECONDS);
+            events.poll(settings.heartbeat().minus(age(beaten)).toNanos(), TimeUnit.NANOSECONDS);
         if (event != null) {
           take(event);
-        } else {
+        }
+        // By time: where events come faster than it beats, the lease on them must live all the
+        // same.
+        if (age(beaten).compareTo(settings.heartbeat()) >= 0) {
+          beaten = System.nanoTime();
           beat();
         }
       }

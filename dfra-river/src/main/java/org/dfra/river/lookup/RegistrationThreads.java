@@ -33,7 +33,7 @@ final class RegistrationThreads extends TaskManager {
   /**
    * Waits until the last task has ended.
    *
-   * @param patience how long at the longest
+   * @param patience how long at the longest; not at all where it is negative
    * @throws InterruptedException if the waiting thread is interrupted
    */
   void awaitEnd(Duration patience) throws InterruptedException {

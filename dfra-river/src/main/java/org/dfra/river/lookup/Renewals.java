@@ -1,6 +1,7 @@
 package org.dfra.river.lookup;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.time.Instant;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
@@ -22,6 +23,7 @@ final class Renewals extends LeaseRenewalManager implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Renewals.class);
 
+  private final Cancellations cancellations = new Cancellations();
   private final Object lock = new Object();
   private boolean closed; // guarded by lock
 
@@ -41,6 +43,26 @@ final class Renewals extends LeaseRenewalManager implements AutoCloseable {
     if (!renewing(() -> super.renewUntil(lease, expiration, duration, listener))) {
       cancelLate(lease);
     }
+  }
+
+  /**
+   * {@inheritDoc} Returns at once: each lookup service is asked on a thread of its own, so one that
+   * does not answer holds up neither the others nor the module's end.
+   */
+  @Override
+  public void cancel(Lease lease) throws UnknownLeaseException {
+    remove(lease);
+    cancellations.begin(lease);
+  }
+
+  /**
+   * Waits until the lookup services have answered all cancellations that have begun.
+   *
+   * @param patience how long at the longest; not at all where it is negative
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  void awaitCancelled(Duration patience) throws InterruptedException {
+    cancellations.await(patience);
   }
 
   /** Whether the renewal could begin. What begins before the close is known to who closes. */

@@ -311,11 +311,12 @@ final class Daemon {
   void stop(Duration patience) {
     running = false;
     groups.values().forEach(Group::wake);
-    launcher.awaitNone(patience);
-    List<ProcessIdentity> processes =
-        groups.values().stream().flatMap(g -> g.process().stream()).toList();
-    processes.forEach(process -> process.destroy(false));
+    // What runs may be moving; it does not wait for a process that is only being started.
+    processes().forEach(process -> process.destroy(false));
     long end = System.nanoTime() + patience.toNanos();
+    launcher.awaitNone(patience);
+    List<ProcessIdentity> processes = processes();
+    processes.forEach(process -> process.destroy(false));
     for (ProcessIdentity process : processes) {
       // The patience is for all together: ten that do not answer cost no more than one.
       process.awaitDeath(Duration.ofNanos(Math.max(0, end - System.nanoTime())));
@@ -323,6 +324,10 @@ final class Daemon {
     processes.forEach(process -> process.destroy(true));
     processes.forEach(process -> process.awaitDeath(patience));
     abandon();
+  }
+
+  private List<ProcessIdentity> processes() {
+    return groups.values().stream().flatMap(group -> group.process().stream()).toList();
   }
 
   /** Ends the daemon's own threads and closes the journal; the groups' processes live on. */

@@ -1,34 +1,128 @@
 package org.dfra.river.server;
 
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
 /**
- * Has something closed when its process is told to end. Phoenix ends its groups so, and a device
- * must be put to rest then as after any other end; nor is it a failure that history would count.
+ * Closes the modules of a process when the process is terminated. Phoenix ends its groups so, and a
+ * device must be put to rest then as after any other end; nor is it a failure that history would
+ * count.
+ *
+ * <pre>
+ *   SIGTERM --&gt; halt what moves the robot, all at once --&gt; close all modules, all at once
+ * </pre>
+ *
+ * <p>There is one shutdown hook for all of them, so that effectors halt before anything else uses
+ * the processor. An effector whose driver is held up delays the second step by {@link #PATIENCE} at
+ * the longest.
  */
 final class EndOfProcess implements AutoCloseable {
 
-  private final Thread hook;
+  /** How long the other modules wait until the robot is halted. */
+  static final Duration PATIENCE = Duration.ofMillis(500);
 
-  private EndOfProcess(Thread hook) {
-    this.hook = hook;
+  private static final Logger LOG = LoggerFactory.getLogger(EndOfProcess.class);
+
+  private static final List<EndOfProcess> OPEN = new ArrayList<>(); // guarded by itself
+  private static boolean hooked; // guarded by OPEN
+  private static boolean ending; // guarded by OPEN
+
+  private final ModuleServer<?> server;
+
+  private EndOfProcess(ModuleServer<?> server) {
+    this.server = server;
   }
 
   /**
-   * Has it closed, unless this is closed before.
+   * Has a server closed at the end of the process, unless this is closed before.
    *
-   * @param what what is closed, for the thread's name
+   * @throws IllegalStateException if the process is being terminated already
    */
-  static EndOfProcess closes(String what, Runnable close) {
-    Thread hook = new Thread(close, what + " end");
-    Runtime.getRuntime().addShutdownHook(hook);
-    return new EndOfProcess(hook);
+  static EndOfProcess ends(ModuleServer<?> server) {
+    EndOfProcess end = new EndOfProcess(server);
+    synchronized (OPEN) {
+      if (ending) {
+        throw new IllegalStateException("its process is being terminated");
+      }
+      if (!hooked) {
+        hooked = true;
+        Runtime.getRuntime().addShutdownHook(new Thread(EndOfProcess::endAll, "dfra-end"));
+      }
+      OPEN.add(end);
+    }
+    return end;
+  }
+
+  /** Halts what moves the robot, then closes every module that is still open. */
+  private static void endAll() {
+    List<ModuleServer<?>> servers = new ArrayList<>();
+    synchronized (OPEN) {
+      ending = true;
+      OPEN.forEach(each -> servers.add(each.server));
+    }
+    endAll(servers);
+  }
+
+  /** The same with these servers. */
+  static void endAll(List<? extends ModuleServer<?>> servers) {
+    List<Thread> halting = each(servers, "halt", ModuleServer::halt);
+    await(halting, System.nanoTime() + PATIENCE.toNanos());
+    List<Thread> closing = each(servers, "end", ModuleServer::close);
+    await(closing, Long.MAX_VALUE);
+    await(halting, Long.MAX_VALUE); // the virtual machine ends with this thread
+  }
+
+  private static List<Thread> each(
+      List<? extends ModuleServer<?>> servers, String step, Consumer<ModuleServer<?>> task) {
+    List<Thread> threads = new ArrayList<>();
+    for (ModuleServer<?> server : servers) {
+      Thread thread = new Thread(() -> run(server, task), server.path() + " " + step);
+      try {
+        thread.start();
+        threads.add(thread);
+      } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+        run(server, task);
+      }
+    }
+    return threads;
+  }
+
+  private static void run(ModuleServer<?> server, Consumer<ModuleServer<?>> task) {
+    try {
+      task.accept(server);
+    } catch (RuntimeException | Error e) { // the others must end as well
+      LOG.error("{} did not end cleanly with its process: {}", server.path(), e.toString(), e);
+    }
+  }
+
+  /**
+   * @param deadline {@link System#nanoTime}; {@link Long#MAX_VALUE} for as long as it takes
+   */
+  private static void await(List<Thread> threads, long deadline) {
+    try {
+      for (Thread thread : threads) {
+        if (deadline == Long.MAX_VALUE) {
+          thread.join();
+        } else {
+          long millis = (deadline - System.nanoTime()) / 1_000_000;
+          if (millis > 0) {
+            thread.join(millis);
+          }
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // nobody interrupts the end of a process; go on at once
+    }
   }
 
   @Override
   public void close() {
-    try {
-      boolean unused = Runtime.getRuntime().removeShutdownHook(hook);
-    } catch (IllegalStateException e) {
-      // The process is ending, perhaps by this very thread; nobody can take a hook back now.
+    synchronized (OPEN) {
+      OPEN.remove(this);
     }
   }
 }

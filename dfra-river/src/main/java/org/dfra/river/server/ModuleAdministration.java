@@ -40,7 +40,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private final LeaseBook leases;
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
-  private final Runnable closing;
+  private final ModuleServer<?> server;
   private final Exporter exporter;
   private @Nullable Remote stub; // guarded by this
 
@@ -48,7 +48,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
    * @param leases the leases on the module
    * @param id the server's activation ID; null where no activation system made it
    * @param serverExporter the exporter of the server
-   * @param closing closes the server; may throw an {@link IllegalStateException}
+   * @param server is halted, and closed, where an administrator ends it
    */
   ModuleAdministration(
       ModulePresence presence,
@@ -56,12 +56,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
-      Runnable closing) {
+      ModuleServer<?> server) {
     this.presence = presence;
     this.leases = leases;
     this.id = id;
     this.serverExporter = serverExporter;
-    this.closing = closing;
+    this.server = server;
     this.exporter = Exporters.jeri(host, DEADLINE_MILLIS);
   }
 
@@ -183,21 +183,32 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   @Override
   public void destroy() throws RemoteException {
-    if (id != null) {
-      try {
-        ActivationGroup.getSystem().unregisterObject(id);
-      } catch (UnknownObjectException e) {
-        LOG.debug("{} was unregistered before.", id);
-      } catch (ActivationException e) {
-        throw new RemoteException("the activation system does not let it go", e);
-      }
+    server.halt(); // before the activation system is asked, which may not answer
+    try {
+      unregister();
+    } finally {
+      end(); // what is halted must not stay listed; where it is still registered, a call revives it
     }
-    end();
+  }
+
+  private void unregister() throws RemoteException {
+    if (id == null) {
+      return;
+    }
+    try {
+      ActivationGroup.getSystem().unregisterObject(id);
+    } catch (UnknownObjectException e) {
+      LOG.debug("{} was unregistered before.", id);
+    } catch (ActivationException e) {
+      throw new RemoteException(
+          "the activation system does not let it go; it has ended, and starts again when called",
+          e);
+    }
   }
 
   private void end() throws RemoteException {
     try {
-      closing.run();
+      server.close();
     } catch (IllegalStateException e) {
       LOG.warn("A module did not end cleanly: {}", e.toString(), e);
     }

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
@@ -17,6 +18,7 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.robot.Ending;
+import org.dfra.core.robot.ShutdownOrder;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -61,6 +63,8 @@ public abstract class ModuleServer<M extends Module>
   private final RemoteListeners listeners;
   private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
+  private volatile @Nullable ModuleImpl mover; // the driver, where it moves the robot
+  private final AtomicReference<@Nullable RuntimeException> haltFault = new AtomicReference<>();
 
   /**
    * Step 1: the activation system constructs the server; the other five follow.
@@ -101,6 +105,7 @@ public abstract class ModuleServer<M extends Module>
       undo.push(parts.neighbours());
       ModuleImpl driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
       undo.push(driver);
+      this.mover = ShutdownOrder.movesRobot(driver) ? driver : null;
       this.module = kind.cast(driver);
       driver.start();
       LocalModules.enter(activation.id(), driver);
@@ -135,10 +140,10 @@ public abstract class ModuleServer<M extends Module>
       undo.push(presence);
       this.administration =
           new ModuleAdministration(
-              presence, driver.leases(), activation.host(), id, exporter, this::close);
+              presence, driver.leases(), activation.host(), id, exporter, this);
       undo.push(administration);
       if (id != null) { // elsewhere the process is not this module's
-        undo.push(EndOfProcess.closes(path, this::close));
+        undo.push(EndOfProcess.ends(this));
       }
     } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
       ConfigurationException fault = parts.placed(e);
@@ -150,9 +155,17 @@ public abstract class ModuleServer<M extends Module>
     }
   }
 
-  /** Undoes what was done, last first. */
+  /** Undoes what was done, last first; but what moves the robot before all else. */
   private Ending undoAll() {
     Ending ending = new Ending(path);
+    ending.end(this::halt);
+    @Nullable RuntimeException fault = haltFault.getAndSet(null);
+    if (fault != null) {
+      ending.end(
+          () -> {
+            throw fault;
+          });
+    }
     synchronized (undo) {
       while (!undo.isEmpty()) {
         ending.end(undo.pop());
@@ -162,8 +175,28 @@ public abstract class ModuleServer<M extends Module>
   }
 
   /**
-   * Ends the service: leases, lookup, export and driver, in this order. Does nothing when already
-   * ended.
+   * Closes the driver of a module that moves the robot, which comes to rest and takes no command
+   * any more. Does nothing for any other module, nor when already closed. Whoever ends several
+   * modules halts all of them before it closes the first. What goes wrong is reported by {@link
+   * #close}.
+   */
+  public final void halt() {
+    @Nullable ModuleImpl moving = mover;
+    if (moving == null) {
+      return;
+    }
+    try {
+      moving.close();
+    } catch (RuntimeException e) {
+      haltFault.set(e);
+    }
+  }
+
+  /**
+   * Ends the service: leases, lookup, export and driver, in this order. The driver of a module that
+   * moves the robot is the first of them, see {@link #halt}: no lookup service that does not answer
+   * may keep wheels turning. Takes about 1 s where lookup services do not answer. Does nothing when
+   * already ended.
    *
    * @throws IllegalStateException if a part of it could not be ended; the others were
    */

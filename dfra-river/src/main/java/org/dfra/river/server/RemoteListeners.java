@@ -18,8 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The remote listeners of one module. Each has a lease and a place at the module's hub; it loses
- * both when the lease has expired, when {@value #FAILURES} deliveries in a row have failed, or when
- * it turns out to be gone.
+ * both when its client closes the subscription, when the lease has expired, when {@value #FAILURES}
+ * deliveries in a row have failed, or when it turns out to be gone.
  */
 final class RemoteListeners {
 
@@ -61,7 +61,8 @@ final class RemoteListeners {
     Registered now = new Registered(listener);
     Lease lease;
     try {
-      lease = landlord.grant(Lease.ANY, ModuleImpl.holder(policy), () -> remove(now));
+      Runnable gone = () -> remove(now); // also where the client gives the lease back
+      lease = landlord.grant(Lease.ANY, ModuleImpl.holder(policy), gone, gone);
     } catch (LeaseRefusedException e) {
       throw new NotReadyException(
           driver.identification().path(), driver.readiness(), String.valueOf(e.getMessage()));
@@ -74,6 +75,7 @@ final class RemoteListeners {
         lease, entry.epoch(), LongStream.of(entry.numbers()).boxed().toList());
   }
 
+  /** Also for one that is being removed: ending its lease leads here again, and to nothing. */
   private synchronized void remove(Registered gone) {
     boolean unused = registered.remove(gone.listener, gone);
     if (gone.entry != null) {

@@ -1,0 +1,58 @@
+package org.dfra.event.delivery;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Deliveries wait where no thread can be started for them; none is lost. */
+@Timeout(60)
+class DeliveryPoolTest {
+
+  private final AtomicInteger refusals = new AtomicInteger();
+  private final DeliveryPool pool =
+      new DeliveryPool(
+          1,
+          Scheduler.system(),
+          thread -> {
+            if (refusals.getAndDecrement() > 0) {
+              throw new OutOfMemoryError("unable to create native thread");
+            }
+            thread.start();
+          });
+
+  @Test
+  void aDeliveryIsMadeAsSoonAsAThreadCanBeStarted() throws InterruptedException {
+    refusals.set(3);
+    CountDownLatch made = new CountDownLatch(1);
+    pool.submit(made::countDown);
+    assertThat(pool.threads()).as("threads, of which none runs").isZero();
+    assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered").isTrue();
+    assertThat(refusals.get()).as("refusals left").isNegative();
+  }
+
+  @Test
+  void aListenerIsServedByAnotherThreadOnceOneCanBeStarted() throws InterruptedException {
+    CountDownLatch blocked = new CountDownLatch(1);
+    CountDownLatch release = new CountDownLatch(1);
+    pool.submit(
+        () -> {
+          blocked.countDown();
+          try {
+            release.await();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        });
+    assertThat(blocked.await(30, TimeUnit.SECONDS)).isTrue();
+    refusals.set(2);
+    CountDownLatch made = new CountDownLatch(1);
+    pool.submit(made::countDown);
+    assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered beside the blocked one").isTrue();
+    release.countDown();
+  }
+}
