@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.dfra.build.BuildModel.Dependency;
 
 /**
@@ -130,10 +131,16 @@ final class GradleBuild {
                     module + ": libs." + alias + " is no dependency managed in pom.xml"));
   }
 
-  /** As settings.gradle.kts names it, and as the catalog's accessor spells that. */
+  /**
+   * As settings.gradle.kts names it, and as the catalog's accessor spells that: Gradle splits an
+   * alias at {@code -}, {@code _} and {@code .}, makes a getter of each segment, and Kotlin spells
+   * the property with a small first letter.
+   */
   private static String alias(String artifact) {
-    return (Character.toLowerCase(artifact.charAt(0)) + artifact.substring(1))
-        .replaceAll("[-_]", ".");
+    return Pattern.compile("[-_.]")
+        .splitAsStream(artifact)
+        .map(segment -> Character.toLowerCase(segment.charAt(0)) + segment.substring(1))
+        .collect(Collectors.joining("."));
   }
 
   /**
