@@ -63,6 +63,7 @@ dependencies {
     testCompileOnly(project(":dfra-activation"))
     testImplementation(project(":dfra-app"))
     testImplementation(project(":dfra-recruit"))
+    testImplementation(project(":dfra-testing"))
     testImplementation(rootProject.libs.reggie)
     testImplementation(rootProject.libs.archunit)
 }

@@ -33,7 +33,10 @@ final class GradleBuild {
               + "|(?:rootProject\\.)?libs\\.(?<alias>[\\w.]+)"
               + "|\"(?<name>[\\w.-]+:[\\w.-]+)(?<version>:[^\"]+)?\")\\)");
 
-  /** Gradle's configurations in Maven's words; several of one dependency are joined by "+". */
+  /**
+   * Gradle's configurations in Maven's words; several of one dependency are joined by "+". A module
+   * may need at run time what all need for their tests.
+   */
   private static final Map<String, String> SCOPES =
       Map.of(
           "api", "compile",
@@ -41,6 +44,8 @@ final class GradleBuild {
           "runtimeOnly", "runtime",
           "testImplementation", "test",
           "testRuntimeOnly", "test",
+          "api+testImplementation", "compile",
+          "implementation+testImplementation", "compile",
           "compileOnly+testCompileOnly", "provided");
 
   private final Path root;
