@@ -49,6 +49,7 @@ allprojects {
         jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
+        systemProperty("dfra.soak", soak)
         systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little

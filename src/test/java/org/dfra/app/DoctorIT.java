@@ -71,6 +71,7 @@ class DoctorIT {
       long lookup = pidOf(well, "group r1.lookup is process ");
       signal(lookup, "STOP");
       try {
+        processes.set("DFRA_WAIT", "10"); // it is all used up, each time
         Outcome ill = doctor(processes, state);
         assertThat(found(ill, "registrar")).containsExactly("fail");
         assertThat(ill.exit()).as(ill.out()).isEqualTo(1);
