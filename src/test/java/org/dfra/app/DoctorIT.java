@@ -31,6 +31,9 @@ class DoctorIT {
   void findsARobotWellAndThenIll() throws Exception {
     int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
+    // Not the usual port, where somebody else's phoenix may answer.
+    Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
+    Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(processes, state);
       assertThat(found(none, "phoenix")).containsExactly("warn");
