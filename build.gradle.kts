@@ -27,12 +27,16 @@ allprojects {
     }
 
     // java.rmi.activation left the JDK in 17; JERI needs it, and only the boot loader may define it.
+    // The configuration cache keeps what this lambda captures: a provider and a string, no task and no project.
     val activationJar = project(":dfra-activation").tasks.named<Jar>("jar")
+    val bootJar = activationJar.flatMap { it.archiveFile }
+    val top = rootDir.path
     val dfraArguments = {
-        val boot = activationJar.get().archiveFile.get().asFile.path
-        listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$rootDir")
+        val boot = bootJar.get().asFile.path
+        listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$top")
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
+    val soak = providers.gradleProperty("dfra.soak").getOrElse("false")
     val seed = providers.gradleProperty("dfra.seed").getOrElse("2004") // as in pom.xml
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
@@ -45,6 +49,7 @@ allprojects {
         jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
+        systemProperty("dfra.soak", soak)
         systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little
@@ -59,6 +64,7 @@ dependencies {
     testCompileOnly(project(":dfra-activation"))
     testImplementation(project(":dfra-app"))
     testImplementation(project(":dfra-recruit"))
+    testImplementation(project(":dfra-testing"))
     testImplementation(rootProject.libs.reggie)
     testImplementation(rootProject.libs.archunit)
 }
@@ -95,4 +101,13 @@ tasks.register<JavaExec>("demo") {
 tasks.register<JavaExec>("up") {
     val robot = providers.gradleProperty("robot").getOrElse("config/robots/atrv1.xml")
     runsDfra("Brings up the robot described by -Probot=<xml>.", "up", robot)
+}
+
+tasks.register<JavaExec>("down") {
+    val robot = providers.gradleProperty("robot").orNull
+    runsDfra("Takes down the robot named by -Probot=<name or xml>, or without it all robots of this computer and phoenix.", *listOfNotNull("down", robot).toTypedArray())
+}
+
+tasks.register<JavaExec>("status") {
+    runsDfra("Shows the robots' processes on this computer.", "status")
 }

@@ -5,7 +5,11 @@ rootProject.name = "dfra"
 
 // pom.xml is the one place where module names and versions are written; both builds read it. Each managed dependency
 // of others is in the catalog under its artifactId: jsk-platform is rootProject.libs.jsk.platform in a build script.
-val pom: Element = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file("pom.xml")).documentElement
+// The first letter of each segment is small there: GeographicLib-Java is rootProject.libs.geographicLib.java.
+// The file is opened here and not by the parser, so that the configuration cache sees that it was read.
+val pom: Element = file("pom.xml").inputStream().use {
+    DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(it).documentElement
+}
 fun Element.children() = (0 until childNodes.length).map { childNodes.item(it) }.filterIsInstance<Element>()
 fun Element.child(name: String) = children().first { it.tagName == name }
 fun Element.text(name: String) = child(name).textContent.trim()

@@ -1,4 +1,4 @@
 // dfra-api needs the JDK only; its tests ask somebody else's geodesy.
 dependencies {
-    testImplementation(rootProject.libs.geographicLib.Java)
+    testImplementation(rootProject.libs.geographicLib.java)
 }

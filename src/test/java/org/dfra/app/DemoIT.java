@@ -13,7 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The demonstrations, run as a user runs them. */
+/**
+ * The demonstrations, run as a user runs them. In the everyday tier those that take a minute; what
+ * the others show on the way, the tests of {@code org.dfra.phoenix} and {@code
+ * org.dfra.slice.RecruitmentAgentsIT} try one by one.
+ */
 class DemoIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(900);
@@ -24,6 +28,7 @@ class DemoIT {
   @TempDir Path folder;
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
   void theFoundationTellsItsStoryAndLeavesNothingBehind() throws Exception {
     play(
         "foundation",
@@ -54,6 +59,7 @@ class DemoIT {
   }
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
   void recruitmentTellsItsStoryAndLeavesNothingBehind() throws Exception {
     play(
         "recruit",

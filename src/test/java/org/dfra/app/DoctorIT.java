@@ -31,6 +31,9 @@ class DoctorIT {
   void findsARobotWellAndThenIll() throws Exception {
     int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
+    // Not the usual port, where somebody else's phoenix may answer.
+    Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
+    Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(processes, state);
       assertThat(found(none, "phoenix")).containsExactly("warn");
@@ -71,6 +74,7 @@ class DoctorIT {
       long lookup = pidOf(well, "group r1.lookup is process ");
       signal(lookup, "STOP");
       try {
+        processes.set("DFRA_WAIT", "10"); // it is all used up, each time
         Outcome ill = doctor(processes, state);
         assertThat(found(ill, "registrar")).containsExactly("fail");
         assertThat(ill.exit()).as(ill.out()).isEqualTo(1);

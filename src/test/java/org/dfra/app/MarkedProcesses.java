@@ -4,6 +4,8 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -13,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.dfra.river.bootstrap.JvmCommand;
+import picocli.CommandLine;
 
 /**
  * Runs {@link Main} in processes that can be told from all others: a folder that does not exist is
@@ -74,6 +77,20 @@ final class MarkedProcesses implements AutoCloseable {
         process.exitValue(),
         java.nio.file.Files.readString(out, StandardCharsets.UTF_8),
         java.nio.file.Files.readString(err, StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Runs {@code ./dfra} with these arguments in the test's own process: with the same answer, but
+   * without a virtual machine that first has to start, for what asks and starts nothing. Variables
+   * that were {@link #set} do not count here.
+   */
+  static Outcome here(String... arguments) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    CommandLine line = Main.commandLine();
+    line.setOut(new PrintWriter(out, true));
+    line.setErr(new PrintWriter(err, true));
+    return new Outcome(line.execute(arguments), out.toString(), err.toString());
   }
 
   /** Every process with this mark that lives now. */

@@ -80,7 +80,7 @@ class RobotVerbsIT {
       assertThat(none.exit()).isEqualTo(4);
       assertThat(none.err()).startsWith("dfra: no phoenix answers on port ");
 
-      Verbs verbs = new Verbs(processes, state);
+      Verbs verbs = new Verbs(processes, state, true);
       verbs.well("up", xml, port, registry);
       JsonNode history =
           new ObjectMapper()
@@ -98,7 +98,7 @@ class RobotVerbsIT {
     String state = "--state=" + folder.resolve("state");
     Path xml = robot(registrar);
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
-      Verbs verbs = new Verbs(processes, state);
+      Verbs verbs = new Verbs(processes, state, true);
       verbs.well("up", xml.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");
 
       assertThat(verbs.well("module", "list", "--team="))
@@ -108,7 +108,7 @@ class RobotVerbsIT {
           new ObjectMapper().readTree(verbs.well("module", "list", "--team=", "--json"));
       assertThat(listed).hasSize(1);
       assertThat(listed.get(0).get("kinds").get(0).asText()).isEqualTo("Thermometer");
-      assertThat(verbs.well("module", "list", "--team=", "--kind=GPSSensor"))
+      assertThat(verbs.well("module", "list", "--team=", "--kind=GPSSensor", "--wait=8"))
           .isEqualToIgnoringNewLines("No module of kind GPSSensor is registered.");
 
       assertThat(verbs.well("module", "call", "warmth", "celsius", "--team="))
@@ -149,10 +149,12 @@ class RobotVerbsIT {
           "module",
           "list",
           "--team=",
+          "--wait=2",
           "--state=" + folder.resolve("nowhere"));
 
       verbs.well("module", "stop", "warmth", "--team=");
-      assertThat(verbs.well("module", "list", "--team=")).startsWith("No module is registered.");
+      assertThat(verbs.well("module", "list", "--team=", "--wait=8"))
+          .startsWith("No module is registered.");
       verbs.well("module", "start", "t1/warmth");
       assertThat(verbs.well("module", "call", "warmth", "celsius", "--team=")).startsWith("17");
 
@@ -198,7 +200,7 @@ class RobotVerbsIT {
   void theTimeToWaitIsReadFromTheEnvironment() throws Exception {
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       String locator = "--locator=127.0.0.1:" + FreePorts.next();
-      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"));
+      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"), false);
       processes.set("DFRA_WAIT", "soon");
       verbs.fails(
           2,
@@ -214,8 +216,12 @@ class RobotVerbsIT {
     }
   }
 
-  /** Runs commands on one state folder. */
-  private record Verbs(MarkedProcesses processes, String state) {
+  /**
+   * Runs commands on one state folder.
+   *
+   * @param inThisProcess whether what looks for robots, and starts nothing, is run here
+   */
+  private record Verbs(MarkedProcesses processes, String state, boolean inThisProcess) {
 
     String well(String... arguments) throws Exception {
       Outcome outcome = run(arguments);
@@ -231,20 +237,26 @@ class RobotVerbsIT {
 
     private Outcome run(String... arguments) throws Exception {
       boolean hasState = Arrays.stream(arguments).anyMatch(each -> each.startsWith("--state="));
-      return processes.dfra(
-          PATIENCE,
+      String[] all =
           hasState
               ? arguments
-              : Stream.concat(Arrays.stream(arguments), Stream.of(state)).toArray(String[]::new));
+              : Stream.concat(Arrays.stream(arguments), Stream.of(state)).toArray(String[]::new);
+      if (!inThisProcess || !List.of(arguments).contains("--team=")) {
+        return processes.dfra(PATIENCE, all);
+      }
+      boolean hasWait = Arrays.stream(arguments).anyMatch(each -> each.startsWith("--wait="));
+      return MarkedProcesses.here(
+          Stream.concat(Arrays.stream(all), Stream.of("--wait=20").filter(each -> !hasWait))
+              .toArray(String[]::new));
     }
   }
 
   private static String module(String name, int celsius) {
     return """
-        <module name="%s" server="%s" proxy="%s" driver="%s">
-          <parameter name="celsius" value="%d"/>
-        </module>
-        """
+    <module name="%s" server="%s" proxy="%s" driver="%s">
+      <parameter name="celsius" value="%d"/>
+    </module>
+    """
         .formatted(
             name,
             ThermometerServer.class.getName(),

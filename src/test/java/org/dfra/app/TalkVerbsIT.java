@@ -18,8 +18,8 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.M12Emulator;
 import org.dfra.sim.device.M12Settings;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,16 +31,16 @@ class TalkVerbsIT {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final String GPS = "zeta/gps_front";
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private M12Emulator receiver;
-  private MarkedProcesses processes;
+  private static M12Emulator receiver;
+  private static MarkedProcesses processes;
 
-  /** Runs what goes on while {@link #processes} runs something else. */
-  private MarkedProcesses beside;
+  /** Runs what goes on while something else is asked. */
+  private static MarkedProcesses beside;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
     receiver =
         new M12Emulator(
             M12Settings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200), Instant::now);
@@ -76,8 +76,8 @@ class TalkVerbsIT {
     await().atMost(PATIENCE).until(() -> !said("module", "list").contains("initializing"));
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @AfterAll
+  static void takeDown() throws Exception {
     try {
       Outcome down = processes.dfra(PATIENCE, "down", state());
       assertThat(down.exit()).as(down.out() + down.err()).isZero();
@@ -88,20 +88,24 @@ class TalkVerbsIT {
     }
   }
 
-  private String state() {
+  private static String state() {
     return "--state=" + folder.resolve("state");
   }
 
-  private String[] asked(String... words) {
+  private static String[] asked(String... words) {
     return Stream.concat(Arrays.stream(words), Stream.of("--team=", "--host=127.0.0.1", state()))
         .toArray(String[]::new);
   }
 
-  private Outcome ask(String... words) throws Exception {
-    return processes.dfra(PATIENCE, asked(words));
+  /** Where something is missing the time to wait is used up. */
+  private static Outcome ask(String... words) {
+    boolean hasWait = Arrays.stream(words).anyMatch(each -> each.startsWith("--wait="));
+    return MarkedProcesses.here(
+        Stream.concat(Arrays.stream(asked(words)), Stream.of("--wait=20").filter(each -> !hasWait))
+            .toArray(String[]::new));
   }
 
-  private String said(String... words) throws Exception {
+  private static String said(String... words) {
     Outcome outcome = ask(words);
     assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
     return outcome.out();
@@ -136,7 +140,7 @@ class TalkVerbsIT {
                 "LocationSensor with sensor.maxRate >= 1 and gps_receiver.fixModes contains \"3D\""
                     + " on zeta within 50 m of 27.98, -82.45"))
         .contains(GPS);
-    Outcome none = ask("persona", "find", "GPSSensor within 50 m of 27.99, -82.45");
+    Outcome none = ask("persona", "find", "GPSSensor within 50 m of 27.99, -82.45", "--wait=6");
     assertThat(none.exit()).isEqualTo(3);
     assertThat(none.out().strip())
         .isEqualTo("There is no GPSSensor within 50.0 m of 27.99°, -82.45°.");
@@ -146,7 +150,7 @@ class TalkVerbsIT {
         .isEqualTo(
             "dfra: in the query, at character 16: SensorAttributes has no component \"maxRat\"; did"
                 + " you mean \"maxRate\"?");
-    Outcome nobody = ask("persona", "show", "zetta");
+    Outcome nobody = ask("persona", "show", "zetta", "--wait=6");
     assertThat(nobody.exit()).isEqualTo(3);
     assertThat(nobody.err().strip())
         .isEqualTo("dfra: there is no robot zetta; did you mean \"zeta\"?");

@@ -58,6 +58,8 @@ class ArchitectureTest {
   private static final String[] CORE = {"org.dfra.core.."};
   private static final String[] DRIVERS = {"org.dfra.drivers.."};
   private static final String[] SIM = {"org.dfra.sim.."};
+  private static final String[] TESTING = {"org.dfra.testing.."};
+  private static final String[] JUNIT = {"org.junit.jupiter.api.extension.."};
   private static final String[] DISTRIBUTED = {"org.dfra.river.."};
   private static final String[] PROXY = {"org.dfra.river.proxy.."};
   private static final String[] REMOTE = {"org.dfra.river.remote.."};
@@ -198,6 +200,25 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.dfra.sim.."));
+  }
+
+  /** It is a jar of its own, so that tests elsewhere get no second assertion library with it. */
+  @Test
+  void theHarnessForTestsNeedsTheDistributedLayerAndJUnitOnly() {
+    check(
+        TESTING,
+        onlyDependsOn(TESTING, join(TESTING, API, CORE, DISTRIBUTED, RIVER, JDK, NULLNESS, JUNIT)));
+  }
+
+  @Test
+  void nothingThatRunsOnARobotNeedsTheHarnessForTests() {
+    check(
+        TESTING,
+        noClasses()
+            .that(not(resideInAnyPackage(TESTING)))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(TESTING));
   }
 
   @Test

@@ -96,6 +96,49 @@ class BuildParityTest {
         .contains("gradleProperty(\"dfra.seed\").getOrElse(\"" + seed.group(1) + "\")");
   }
 
+  /** The accessor's first letters are small: Gradle answers "Unresolved reference: Java". */
+  @Test
+  void spellsTheCatalogsAccessorsAsGradleDoes() throws IOException {
+    String inMaven = "<groupId>net.jini</groupId><artifactId>jsk-platform</artifactId>";
+    for (Map.Entry<String, String> each :
+        Map.of("Jini-Java.Core_Lib", "jini.java.core.lib", "jskLib", "jskLib").entrySet()) {
+      house("api(rootProject.libs." + each.getValue() + ")", "");
+      for (String pom : List.of("pom.xml", "dfra-b/pom.xml")) {
+        Path file = elsewhere.resolve(pom);
+        String renamed = inMaven.replace("jsk-platform", each.getKey());
+        Files.writeString(file, Repository.read(file).replace(inMaven, renamed));
+      }
+      assertThat(differences(elsewhere)).isEmpty();
+    }
+    house("api(rootProject.libs.jsk.Platform)", "");
+    assertThatThrownBy(() -> differences(elsewhere))
+        .hasMessage("dfra-b: libs.jsk.Platform is no dependency managed in pom.xml");
+  }
+
+  /**
+   * A lambda that names a task, a project or a script runs when the tasks do, where the
+   * configuration cache keeps none of them.
+   */
+  @Test
+  void whatGivesTestsTheirArgumentsCapturesNoTaskAndNoProject() {
+    String script =
+        GradleBuild.withoutComments(Repository.read(Repository.root().resolve("build.gradle.kts")));
+    Matcher lambda = Pattern.compile("(?s)val dfraArguments = \\{(.*?)\\n    \\}").matcher(script);
+    assertThat(lambda.find()).as("val dfraArguments = { ... } in build.gradle.kts").isTrue();
+    assertThat(lambda.group(1))
+        .contains("bootJar.get()")
+        .doesNotContainPattern("activationJar|rootDir|rootProject|project\\(|layout|tasks");
+    assertThat(script).contains("val bootJar = activationJar.flatMap { it.archiveFile }");
+  }
+
+  @Test
+  void gradleHasTheCommandsOfARobotsLife() {
+    String script = Repository.read(Repository.root().resolve("build.gradle.kts"));
+    for (String verb : List.of("demo", "up", "down", "status")) {
+      assertThat(script).contains("tasks.register<JavaExec>(\"" + verb + "\")");
+    }
+  }
+
   @Test
   void seesADependencyThatOneBuildLacks() throws IOException {
     house("", "");

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.dfra.build.BuildModel.Dependency;
 
 /**
@@ -32,7 +33,10 @@ final class GradleBuild {
               + "|(?:rootProject\\.)?libs\\.(?<alias>[\\w.]+)"
               + "|\"(?<name>[\\w.-]+:[\\w.-]+)(?<version>:[^\"]+)?\")\\)");
 
-  /** Gradle's configurations in Maven's words; several of one dependency are joined by "+". */
+  /**
+   * Gradle's configurations in Maven's words; several of one dependency are joined by "+". A module
+   * may need at run time what all need for their tests.
+   */
   private static final Map<String, String> SCOPES =
       Map.of(
           "api", "compile",
@@ -40,6 +44,8 @@ final class GradleBuild {
           "runtimeOnly", "runtime",
           "testImplementation", "test",
           "testRuntimeOnly", "test",
+          "api+testImplementation", "compile",
+          "implementation+testImplementation", "compile",
           "compileOnly+testCompileOnly", "provided");
 
   private final Path root;
@@ -130,10 +136,16 @@ final class GradleBuild {
                     module + ": libs." + alias + " is no dependency managed in pom.xml"));
   }
 
-  /** As settings.gradle.kts names it, and as the catalog's accessor spells that. */
+  /**
+   * As settings.gradle.kts names it, and as the catalog's accessor spells that: Gradle splits an
+   * alias at {@code -}, {@code _} and {@code .}, makes a getter of each segment, and Kotlin spells
+   * the property with a small first letter.
+   */
   private static String alias(String artifact) {
-    return (Character.toLowerCase(artifact.charAt(0)) + artifact.substring(1))
-        .replaceAll("[-_]", ".");
+    return Pattern.compile("[-_.]")
+        .splitAsStream(artifact)
+        .map(segment -> Character.toLowerCase(segment.charAt(0)) + segment.substring(1))
+        .collect(Collectors.joining("."));
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
@@ -33,8 +34,11 @@ final class MavenBuild {
     Map<String, Set<Dependency>> modules = new LinkedHashMap<>();
     for (Element module : children(child(pom, "modules"))) {
       String directory = module.getTextContent().trim();
-      Set<Dependency> needs = dependencies(pom);
-      needs.addAll(dependencies(parse(root.resolve(directory).resolve("pom.xml"))));
+      Set<Dependency> needs = dependencies(parse(root.resolve(directory).resolve("pom.xml")));
+      Set<String> own = needs.stream().map(Dependency::name).collect(Collectors.toSet());
+      dependencies(pom).stream() // what a module says of a dependency goes before what all say
+          .filter(inherited -> !own.contains(inherited.name()))
+          .forEach(needs::add);
       modules.put(directory, needs);
     }
     return new BuildModel("Maven", modules);

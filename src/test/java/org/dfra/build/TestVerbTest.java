@@ -30,8 +30,21 @@ class TestVerbTest {
       case $1 in
           -v) echo "Apache Maven 3.9.9" ;;
           --version) echo "Gradle 8.7" ;;
-          *) for each in "$@"; do echo "$each"; done >'%s' ;;
+          *) for each in "$@" "MAVEN_OPTS=${MAVEN_OPTS:-}"; do echo "$each"; done >'%s' ;;
       esac
+      [ ! -x during ] || . ./during
+      """;
+
+  /** What Surefire writes of a class, shortened. */
+  private static final String REPORT =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <testsuite xmlns:xsi="x" version="3.0.2" name="org.dfra.%1$s" time="%2$s" tests="2" errors="0" skipped="0" failures="%3$d">
+        <testcase name="good" classname="org.dfra.%1$s" time="0.1"/>
+        <testcase name="bad" classname="org.dfra.%1$s" time="0.1">
+          %4$s
+        </testcase>
+      </testsuite>
       """;
 
   @TempDir Path house;
@@ -110,5 +123,105 @@ class TestVerbTest {
                 + " --seed 42\n");
     assertThat(test("maven", "--help")).isZero();
     assertThat(said).contains("[--seed N|new]\n", "  --seed N  ");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"maven, -D", "gradle, -P"})
+  void handsOnWhichOfTheThreeTiersIsToRun(String tool, String option) throws Exception {
+    assertThat(given(tool)).contains(option + "dfra.full=false", option + "dfra.soak=false");
+    assertThat(given(tool, "--full"))
+        .contains(option + "dfra.full=true", option + "dfra.soak=false");
+    assertThat(given(tool, "--soak"))
+        .contains(option + "dfra.full=true", option + "dfra.soak=true");
+  }
+
+  /** A process of tests that may take hours is not ended as one that hangs. */
+  @Test
+  void givesASoakAllTheTimeItNeeds() throws Exception {
+    assertThat(given("maven")).noneMatch(each -> each.startsWith("-Ddfra.test.timeout"));
+    assertThat(given("maven", "--soak")).contains("-Ddfra.test.timeout=0");
+  }
+
+  /** Tests with java.rmi.activation in their signatures run beside others if Maven has it too. */
+  @Test
+  void runsTestsBesideEachOtherAndMeasuresAloneOnlyInAFullRun() throws Exception {
+    String boot = "-Xbootclasspath/a:" + house.toRealPath() + "/dfra-activation/target/classes";
+    assertThat(given("maven"))
+        .contains("-T", "-Ddfra.test.forks.across=4", "-Ddfra.test.alone=%regex[none]")
+        .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
+    assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
+    assertThat(given("maven", "--full"))
+        .contains("-Ddfra.test.alone=%regex[org/dfra/app/(DemoIT|raster/process/.*IT)\\.class]");
+  }
+
+  /** Makes the build tool leave a module's report, as a run of it would. */
+  private void leaveReport(String module, String test, String seconds, boolean failed)
+      throws IOException {
+    Path reports = house.resolve(module).resolve("target/surefire-reports");
+    String failure = failed ? "<failure message=\"was 2\" type=\"x\"/>" : "";
+    Path during = house.resolve("during");
+    String script = Files.exists(during) ? Files.readString(during) : "";
+    Files.writeString(
+        during,
+        script
+            + "mkdir -p '%s'\ncat >'%s' <<'END'\n%sEND\n"
+                .formatted(
+                    reports,
+                    reports.resolve("TEST-org.dfra." + test + ".xml"),
+                    REPORT.formatted(test, seconds, failed ? 1 : 0, failure)));
+    assertThat(during.toFile().setExecutable(true)).isTrue();
+  }
+
+  /** As if the tool went on with the other modules after the first, which has a failed test. */
+  @Test
+  void countsTheTestsOfEveryModuleAndFailsIfOneOfThemDid() throws Exception {
+    leaveReport("dfra-a", "FirstTest", "1.5", true);
+    leaveReport("dfra-b", "SecondTest", "1,002.3", false);
+    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(said)
+        .contains("dfra-a           Tests run: 2, Failures: 1", "dfra-b           Tests run: 2")
+        .contains("failed: org.dfra.FirstTest.bad: was 2")
+        .doesNotContain("build")
+        .endsWith("\n3 passed, 1 failed, 0 skipped\n");
+    assertThat(Files.readAllLines(given))
+        .as("what keeps Maven from leaving out what comes after a failed test")
+        .contains("--fail-at-end", "-Dmaven.test.failure.ignore=true");
+  }
+
+  @Test
+  void passesIfAllTestsDo() throws Exception {
+    leaveReport("dfra-a", "FirstTest", "1.5", false);
+    assertThat(test("maven")).as(said).isZero();
+    assertThat(said).endsWith("\n2 passed, 0 failed, 0 skipped\n");
+  }
+
+  @Test
+  void saysWhatTookLongestInTheLogAndOnTheScreen() throws Exception {
+    leaveReport("dfra-a", "FirstTest", "1.5", false);
+    leaveReport("dfra-b", "SecondTest", "1,002.3", false);
+    for (int i = 0; i < 10; i++) {
+      leaveReport("dfra-c", "Third" + i + "Test", "3." + i, false);
+    }
+    assertThat(test("maven")).as(said).isZero();
+    String slowest =
+        "The slowest tests, in seconds:\n"
+            + "  1002.3  org.dfra.SecondTest\n"
+            + "     3.9  org.dfra.Third9Test\n";
+    assertThat(said).contains(slowest).doesNotContain("3.0  org", "1.5  org");
+    assertThat(Files.readString(house.resolve("target/test.log"))).contains(slowest);
+  }
+
+  /** Surefire writes no report of what it had to end, and Maven is told to ignore failures. */
+  @Test
+  void countsAProcessOfTestsThatHungAndABuildThatFailed() throws Exception {
+    leaveReport("dfra-a", "FirstTest", "1.5", false);
+    Path during = house.resolve("during");
+    String ended = "echo '[ERROR] There was a timeout or other error in the fork'\n";
+    Files.writeString(during, Files.readString(during) + ended);
+    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(said).contains("that hung").endsWith("\n2 passed, 1 failed, 0 skipped\n");
+    Files.writeString(during, Files.readString(during) + "exit 1\n");
+    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(said).endsWith("\n2 passed, 2 failed, 0 skipped\n");
   }
 }

@@ -171,7 +171,7 @@ class CommandsTest {
   @Test
   void theReferenceNamesEveryOptionOfTest() {
     String reference = Documents.of(REFERENCE).text();
-    assertThat(testOptions()).contains("--full", "--java", "--seed");
+    assertThat(testOptions()).contains("--full", "--soak", "--java", "--seed");
     for (String option : testOptions()) {
       if (!Set.of("-h", "--help").contains(option)) {
         assertThat(reference).containsPattern("\\| `" + option + "[^`]*` \\|");

@@ -1,5 +1,6 @@
 package org.dfra.docs;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -7,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationID;
 import java.util.List;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -31,6 +33,11 @@ class ExamplesTest {
 
   private static final Pattern CLASS =
       Pattern.compile("(?m)^(?:public |final )*(?:class|interface|record|enum) (\\w+)");
+
+  private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?[\\w.*]+;\\n");
+
+  /** Their readers copy what they show into a file of their own, so they show the imports too. */
+  private static final Path HOW_TOS = Documents.ROOT.resolve("docs/how-to");
 
   /** What a reader's editor would import. */
   private static final String IMPORTS =
@@ -65,30 +72,66 @@ class ExamplesTest {
 
   /** What an example may take as given. */
   private static final String GIVEN =
-      "String host, List<String> groups, List<String> locators, GeoPosition here,"
-          + " GPSSensor receiver, DriveEffector drive, WorldDescription field, Instant start,"
+      "String host, java.util.List<String> groups, java.util.List<String> locators,"
+          + " org.dfra.geometry.GeoPosition here, org.dfra.flow.sensor.GPSSensor receiver,"
+          + " org.dfra.flow.effector.DriveEffector drive,"
+          + " org.dfra.sim.world.description.WorldDescription field, java.time.Instant start,"
           + " java.nio.file.Path folder";
 
   @TempDir Path folder;
 
+  /** A block of Java, and the document it stands in. */
+  private record Piece(Path file, String java) {
+
+    boolean isClass() {
+      return CLASS.matcher(java).find();
+    }
+
+    boolean showsItsImports() {
+      return file.startsWith(HOW_TOS);
+    }
+
+    /** A class around its statements. */
+    String source() {
+      String own = IMPORT.matcher(java).results().map(MatchResult::group).collect(joining());
+      return (showsItsImports() ? own : IMPORTS + own)
+          + "class Example {\n void example("
+          + GIVEN
+          + ") throws Exception {\n"
+          + IMPORT.matcher(java).replaceAll("")
+          + "}\n}\n";
+    }
+  }
+
   /** Those of tutorials are whole programs, which {@link TutorialIT} compiles and runs. */
-  private static Stream<String> pieces() {
+  private static List<Piece> pieces() {
     return Documents.all().stream()
         .filter(document -> !document.file().startsWith(TutorialIT.TUTORIALS))
-        .flatMap(document -> JAVA.matcher(document.text()).results())
-        .map(found -> found.group(1));
+        .flatMap(
+            document ->
+                JAVA.matcher(document.text())
+                    .results()
+                    .map(found -> new Piece(document.file(), found.group(1))))
+        .toList();
+  }
+
+  @Test
+  void everyHowToShowsTheImportsOfItsJava() {
+    List<Piece> shown = pieces().stream().filter(Piece::showsItsImports).toList();
+    assertThat(shown).isNotEmpty();
+    assertThat(shown).allSatisfy(piece -> assertThat(piece.java()).startsWith("import "));
   }
 
   @Test
   void everyWholeClassStandsInASourceThatIsTested() throws Exception {
-    for (String piece : pieces().toList()) {
-      Matcher declared = CLASS.matcher(piece);
+    for (Piece piece : pieces()) {
+      Matcher declared = CLASS.matcher(piece.java());
       if (declared.find()) {
         String name = declared.group(1) + ".java";
         try (Stream<Path> files = Files.walk(Documents.ROOT.resolve("src/test/java"))) {
           assertThat(files.filter(file -> file.endsWith(name)).map(Documents::read))
               .as("sources called " + name)
-              .anySatisfy(source -> assertThat(source).contains(piece));
+              .anySatisfy(source -> assertThat(source).contains(piece.java()));
         }
       }
     }
@@ -96,19 +139,11 @@ class ExamplesTest {
 
   @Test
   void everyPieceOfJavaCompiles() throws Exception {
-    List<String> pieces = pieces().filter(piece -> !CLASS.matcher(piece).find()).toList();
+    List<Piece> pieces = pieces().stream().filter(piece -> !piece.isClass()).toList();
     assertThat(pieces).isNotEmpty();
     assumeTrue(ToolProvider.getSystemJavaCompiler() != null, "this Java has no compiler");
-    for (String piece : pieces) {
-      Path source = folder.resolve("Example.java");
-      Files.writeString(
-          source,
-          IMPORTS
-              + "class Example {\n void example("
-              + GIVEN
-              + ") throws Exception {\n"
-              + piece
-              + "}\n}\n");
+    for (Piece piece : pieces) {
+      Path source = Files.writeString(folder.resolve("Example.java"), piece.source());
       JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
       DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
       try (StandardJavaFileManager files = compiler.getStandardFileManager(found, null, null)) {
@@ -127,7 +162,7 @@ class ExamplesTest {
                     null,
                     files.getJavaFileObjects(source))
                 .call();
-        assertThat(compiled).as("%s\n%s", piece, found.getDiagnostics()).isTrue();
+        assertThat(compiled).as("%s\n%s", piece.java(), found.getDiagnostics()).isTrue();
       }
     }
   }

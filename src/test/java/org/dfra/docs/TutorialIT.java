@@ -20,6 +20,7 @@ import org.dfra.module.Module;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -100,7 +101,9 @@ class TutorialIT {
     assertThat(written()).as("files of the tutorial").contains("desk.xml", "trust.properties");
   }
 
+  /** Three searches, each as long as the computer needs for it. */
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
   void twoRobotsSearchAField() throws Exception {
     int looked = follow("two-robots-search-a-field.md", folder); // where ./dfra is
     assertThat(looked).as("lines that were looked for").isGreaterThan(5);

@@ -28,7 +28,8 @@ public final class ScriptVerbs {
           "",
           "Also, by the script itself:",
           "  dist   Packs what runs on a computer with only a Java runtime.",
-          "  test   Runs tests: test [--full] [--integration] [--java HOME] [--seed N].",
+          "  test   Runs tests:",
+          "         test [--full|--soak] [--integration] [--java HOME] [--seed N].",
         };
   }
 
@@ -37,7 +38,8 @@ public final class ScriptVerbs {
     for (String name : names()) {
       CommandSpec spec = CommandSpec.create();
       if (name.equals("test")) {
-        Stream.of("--full", "--integration").forEach(option -> spec.addOption(option(option)));
+        Stream.of("--full", "--soak", "--integration")
+            .forEach(option -> spec.addOption(option(option)));
         spec.addOption(
             OptionSpec.builder("--java").paramLabel("HOME").type(java.io.File.class).build());
         spec.addOption(OptionSpec.builder("--seed").paramLabel("N").type(String.class).build());

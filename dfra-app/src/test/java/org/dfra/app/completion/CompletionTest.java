@@ -49,6 +49,7 @@ class CompletionTest {
     "dfra doctor --lo, --locator",
     "dfra te, test",
     "dfra test --int, --integration",
+    "dfra test --so, --soak",
     "dfra test --se, --seed",
     "dfra di, dist",
   })

@@ -36,6 +36,9 @@ class NoiseStudyTest {
   private static final Path CONFIG = Path.of(System.getProperty("dfra.root"), "config");
   private static final Duration HOUR = Duration.ofHours(1);
 
+  /** Hours that two receivers stand. */
+  private static final int HOURS = Boolean.getBoolean("dfra.full") ? 3 : 1;
+
   /** What the modules of a standing robot amount to, by figure; a module each. */
   private static Map<String, List<NoiseFigure>> measured(
       long seed, Duration time, List<String> modules) throws Exception {
@@ -87,7 +90,7 @@ class NoiseStudyTest {
   void anHourOfStandingTellsWhatAReceiverDoesWrong() throws Exception {
     List<Double> biases = new ArrayList<>();
     List<Double> times = new ArrayList<>();
-    for (long seed = 1; seed <= 3; seed++) {
+    for (long seed = 1; seed <= HOURS; seed++) {
       for (List<NoiseFigure> each :
           measured(seed, HOUR, List.of("gps_front", "gps_rear")).values()) {
         Map<String, Double> figures = byName(each);

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** What is promised of every plan, tried with regions drawn by lot. */
 class RasterPlanPropertiesTest {
 
-  private static final int REGIONS = Boolean.getBoolean("dfra.full") ? 1_000 : 100;
+  private static final int REGIONS = Boolean.getBoolean("dfra.full") ? 1_000 : 40;
   private static final int POINTS = 1_000;
 
   /** Metres. */

@@ -41,10 +41,13 @@ import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.FlightAttributes;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** What the drivers do while somebody commands the vehicle, and how they are examined. */
+@Execution(ExecutionMode.CONCURRENT) // flights take long, and little of the computer
 class AutopilotDriverTest extends AutopilotOverTcp {
 
   /** Of MAVLink 2, signed, bytes. */

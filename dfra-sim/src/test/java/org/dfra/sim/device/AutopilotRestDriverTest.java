@@ -20,10 +20,13 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** What becomes of a vehicle without a commander, or without a ground station. */
+@Execution(ExecutionMode.CONCURRENT) // flights take long, and little of the computer
 class AutopilotRestDriverTest extends AutopilotOverTcp {
 
   @ParameterizedTest

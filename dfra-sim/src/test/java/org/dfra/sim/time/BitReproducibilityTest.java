@@ -20,16 +20,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * A run is repeated bit by bit, whatever else the computer has to do: all the while there are twice
- * as many busy threads as processors. {@code -Ddfra.full=true} repeats 50 times, otherwise 4;
- * {@code -Ddfra.seed=n} repeats the runs of a failure.
+ * A run is repeated bit by bit, whatever else the computer has to do: all the while there are busy
+ * threads. {@code -Ddfra.full=true} repeats 50 times beside twice as many of them as processors,
+ * otherwise twice beside one, since other tests run meanwhile; {@code -Ddfra.seed=n} repeats the
+ * runs of a failure.
  */
 @Timeout(900)
 class BitReproducibilityTest {
 
   private static final boolean FULL = Boolean.getBoolean("dfra.full");
-  private static final int RUNS = FULL ? 50 : 3;
-  private static final int LOAD = (FULL ? 2 : 1) * Runtime.getRuntime().availableProcessors();
+  private static final int RUNS = FULL ? 50 : 2;
+  private static final int LOAD = FULL ? 2 * Runtime.getRuntime().availableProcessors() : 1;
 
   private final long seed = Long.getLong("dfra.seed", new Random().nextLong());
   private final AtomicBoolean busy = new AtomicBoolean(true);

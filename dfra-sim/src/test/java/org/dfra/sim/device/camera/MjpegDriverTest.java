@@ -35,9 +35,12 @@ import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.DeviceEmulator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The real driver and the emulated camera over TCP, in real time. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class MjpegDriverTest {
 
   @Test

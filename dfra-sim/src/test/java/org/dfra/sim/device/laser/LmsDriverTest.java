@@ -34,9 +34,12 @@ import org.dfra.sim.device.NmeaDevice;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The real driver and the emulated laser over TCP, when all is well and when it is not. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class LmsDriverTest {
 
   private final InstantSource clock = FastClock.of(Laser.SPEED);

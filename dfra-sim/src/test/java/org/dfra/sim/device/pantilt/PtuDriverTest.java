@@ -38,9 +38,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The real driver and the emulated unit, at 9600 baud over TCP, in real time. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class PtuDriverTest {
 
   private static final double FAST = Math.toRadians(100);

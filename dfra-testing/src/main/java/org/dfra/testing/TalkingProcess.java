@@ -36,7 +36,12 @@ public final class TalkingProcess implements AutoCloseable {
     reader.start();
   }
 
-  /** Program and arguments of a small JVM with this one's class path, up to the main class. */
+  /**
+   * Program and arguments of a small JVM on this one's Java, up to the main class.
+   *
+   * @param classPath where its classes are
+   * @param options of the JVM, beside the boot class path, which is this one's ({@code dfra.boot})
+   */
   public static List<String> java(String classPath, List<String> options) {
     List<String> command =
         new ArrayList<>(
@@ -66,7 +71,11 @@ public final class TalkingProcess implements AutoCloseable {
     }
   }
 
-  /** Its next line. */
+  /**
+   * Its next line, without {@value #SAID}.
+   *
+   * @throws AssertionError if none comes within 60 s, or the process has ended
+   */
   public String awaitLine() throws InterruptedException {
     String line = said.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
     if (line == null || line.equals(ENDED)) {

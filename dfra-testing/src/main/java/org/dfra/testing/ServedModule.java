@@ -1,7 +1,5 @@
 package org.dfra.testing;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
@@ -71,13 +69,22 @@ public record ServedModule<S extends ModuleServer<?>>(
    * it: of a fresh identity, joining nothing.
    *
    * @param folder takes the XML, {@code name.xml}; its fourth line is the first parameter
-   * @param properties name of a file in {@code config/modules}, without its ending
+   * @param properties name of a file in {@code config/modules} of the checkout that the system
+   *     property {@code dfra.root} names, without its ending
    * @param parameters what the XML says besides, in the order of the map
+   * @throws IllegalStateException if {@code dfra.root} is not set
+   * @throws Exception what is wrong with the description, or a class that is not there
    */
   public static ServedModule<?> written(
       Path folder, String name, String properties, Map<String, String> parameters)
       throws Exception {
-    Path modules = Path.of(System.getProperty("dfra.root"), "config", "modules");
+    String root = System.getProperty("dfra.root");
+    if (root == null) {
+      throw new IllegalStateException(
+          "system property dfra.root is not set; set it to a checkout of DFRA or an installation,"
+              + " whose config/modules is read");
+    }
+    Path modules = Path.of(root, "config", "modules");
     Path xml =
         Files.writeString(
             folder.resolve(name + ".xml"),
@@ -102,7 +109,11 @@ public record ServedModule<S extends ModuleServer<?>>(
     return of(RobotXml.read(xml).groups().get(0).modules().get(0));
   }
 
-  /** The same of a certain kind, which is checked: made of this server and this proxy. */
+  /**
+   * The same of a certain kind, which is checked: made of this server and this proxy.
+   *
+   * @throws AssertionError if it is made of others
+   */
   public static <S extends ModuleServer<?>> ServedModule<S> written(
       Class<S> server,
       Class<? extends ModuleProxy<? extends Module>> proxy,
@@ -112,9 +123,16 @@ public record ServedModule<S extends ModuleServer<?>>(
       Map<String, String> parameters)
       throws Exception {
     ModuleActivation activation = written(folder, name, properties, parameters).activation();
-    assertThat(activation.module().serverClass()).isEqualTo(server.getName());
-    assertThat(activation.module().proxyClass()).isEqualTo(proxy.getName());
+    same("server", activation.module().serverClass(), server);
+    same("proxy", activation.module().proxyClass(), proxy);
     return new ServedModule<>(server, activation);
+  }
+
+  private static void same(String what, String described, Class<?> expected) {
+    if (!described.equals(expected.getName())) {
+      throw new AssertionError(
+          "the module's " + what + " is " + described + ", expected was " + expected.getName());
+    }
   }
 
   @SuppressWarnings("unchecked")

@@ -8,6 +8,7 @@ import java.util.UUID;
 import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
@@ -49,8 +50,8 @@ public final class EmbeddedReggie
   private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
 
   private final int wantedPort;
-  private EmbeddedRegistrar reggie; // guarded by this
-  private String group; // guarded by this
+  private @Nullable EmbeddedRegistrar reggie; // guarded by this
+  private String group = ""; // guarded by this; empty before the first start
 
   /** At a port of the system's choice. */
   public EmbeddedReggie() {
@@ -64,7 +65,11 @@ public final class EmbeddedReggie
     this.wantedPort = port;
   }
 
-  /** Starts it. Does nothing when already started. */
+  /**
+   * Starts it. Does nothing when already started.
+   *
+   * @throws IOException if its port is taken, or reggie does not start
+   */
   public synchronized EmbeddedReggie start() throws IOException {
     if (reggie == null) {
       group = "test-" + UUID.randomUUID();
@@ -86,7 +91,11 @@ public final class EmbeddedReggie
     }
   }
 
-  /** The lookup service, for tests that speak with it themselves. */
+  /**
+   * The lookup service, for tests that speak with it themselves.
+   *
+   * @throws IllegalStateException if it does not run; so do the other questions below
+   */
   public ServiceRegistrar registrar() {
     return running().registrar();
   }
