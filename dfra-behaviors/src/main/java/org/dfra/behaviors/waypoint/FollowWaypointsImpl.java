@@ -4,6 +4,7 @@ import java.rmi.RemoteException;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.PathGoal;
+import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.behaviors.raster.Reach;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
@@ -21,8 +22,9 @@ import org.dfra.flow.perceptual.PositionEstimator;
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code go_to_waypoint}, {@code position}: names of the modules it uses; where one is not
- *       set, any of its robot that can
+ *   <li>{@code go_to_waypoint}, {@code position}, {@code drive}: names of the modules it uses;
+ *       where one is not set, any of its robot that can. Of the drive it releases the parking brake
+ *       when somebody asks for a path, and it gives the path up where the drive is stopped
  *   <li>{@code farthest}: metres from one waypoint to the next, and from the robot to the first; a
  *       path with more is refused, 1 to 100 000; default 2000
  *   <li>{@code rate}: as every behaviour's; default 10 Hz
@@ -33,6 +35,7 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
   private final Needed<GoToWaypoint> goTo;
   private final Needed<PositionEstimator> position;
   private final Reach reach;
+  private final DriveInterlock interlock;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public FollowWaypointsImpl(ModuleContext context) {
@@ -40,12 +43,18 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
     this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
     this.position = Needed.of(context, PositionEstimator.class, "position");
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
+    this.interlock = new DriveInterlock(context, log);
+  }
+
+  @Override
+  protected void prepare(boolean isAttended) throws RemoteException {
+    interlock.prepare(isAttended);
   }
 
   @Override
   protected Pursuit begin(PathGoal goal) throws RemoteException {
     GoToWaypoint unused = goTo.now();
     reach.require(position.now().estimate().position(), goal.waypoints());
-    return new PathPursuit(path(), goTo, goal, errands(), log);
+    return new PathPursuit(path(), goTo, goal, interlock, errands(), log);
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.behaviors.waypoint;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.rmi.RemoteException;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.behavior.GoToWaypoint;
@@ -9,6 +10,7 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.HomeGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.behavior.ReturnHome;
+import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.module.ModuleContext;
@@ -29,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code home}: latitude and longitude in degrees, such as {@code 48.0001 11.0002}, or {@code
  *       here}; can be set while it runs
  *   <li>{@code position}: name of the estimator it listens to; where it is not set, the first
- *   <li>{@code go_to_waypoint}: as of {@link FollowWaypointsImpl}
+ *   <li>{@code go_to_waypoint}, {@code drive}: as of {@link FollowWaypointsImpl}
  * </ul>
  */
 public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements ReturnHome {
@@ -40,6 +42,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
       "latitude and longitude in degrees, such as 48.0001 11.0002, or here";
 
   private final Needed<GoToWaypoint> goTo;
+  private final DriveInterlock interlock;
   private final Object place = new Object();
   private @Nullable GeoPosition home; // guarded by place
   private @Nullable GeoPosition here; // guarded by place
@@ -48,6 +51,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   public ReturnHomeImpl(ModuleContext context) {
     super(context, "drives back to where the robot began", "DFRA", "1", HomeGoal.class, 5);
     this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
+    this.interlock = new DriveInterlock(context, log);
     settings()
         .find("home")
         .ifPresent(
@@ -147,7 +151,17 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
             path() + " does not know yet where home is; wait for a position, or set home");
       }
       return new PathPursuit(
-          path(), goTo, new PathGoal(null, List.of(home), goal.tolerance()), errands(), log);
+          path(),
+          goTo,
+          new PathGoal(null, List.of(home), goal.tolerance()),
+          interlock,
+          errands(),
+          log);
     }
+  }
+
+  @Override
+  protected void prepare(boolean isAttended) throws RemoteException {
+    interlock.prepare(isAttended);
   }
 }
