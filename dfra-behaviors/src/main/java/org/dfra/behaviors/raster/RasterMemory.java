@@ -13,7 +13,7 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.RasterGoal;
-import org.dfra.behaviors.drive.DriveInterlock.Seen;
+import org.dfra.core.behavior.DriveInterlock.Seen;
 import org.dfra.core.state.StateStore;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;

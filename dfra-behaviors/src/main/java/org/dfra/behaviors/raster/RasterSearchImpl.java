@@ -8,7 +8,6 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
-import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.behaviors.raster.RasterMemory.Begun;
 import org.dfra.behaviors.raster.RasterMemory.PathBegun;
 import org.dfra.core.behavior.BehaviorImpl;
@@ -43,7 +42,6 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
 
   private final Needed<FollowWaypoints> follow;
   private final Needed<PositionEstimator> position;
-  private final DriveInterlock interlock;
   private final Reach reach;
   private final RasterMemory memory;
   private final boolean goesOn;
@@ -63,7 +61,6 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     super(context, "searches a region lane by lane", "DFRA", "1", RasterGoal.class, 5);
     this.follow = Needed.of(context, FollowWaypoints.class, "follow_waypoints");
     this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.interlock = new DriveInterlock(context, log);
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
     this.memory = new RasterMemory(context.state());
     this.tolerance = settings().number("tolerance", 0.4, 0.05, 10);
@@ -97,11 +94,6 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     reach.require(here, plan.waypoints());
   }
 
-  @Override
-  protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
-  }
-
   private Pursuit pursuit(
       RasterPlan plan, RasterGoal wanted, int done, int leftOut, @Nullable PathBegun path) {
     synchronized (remembering) {
@@ -114,7 +106,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
         plan,
         tolerance,
         new Delegation<>(path(), follow, errands(), log),
-        interlock,
+        interlock(),
         done,
         leftOut,
         path,
@@ -157,7 +149,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     @Nullable RasterGoal wanted = goal;
     try {
       if (phase.isUnderWay() && wanted != null) {
-        memory.keep(new Begun(wanted, reached, missed, phase, driven, interlock.seen()));
+        memory.keep(new Begun(wanted, reached, missed, phase, driven, interlock().seen()));
       } else {
         goal = null;
         memory.forget();
@@ -186,7 +178,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     RasterPlan plan = RasterPlan.of(begun.goal());
     int done = Math.min(begun.reached(), plan.waypoints().size() - 1);
     int leftOut = Math.min(begun.missed(), done);
-    interlock.restore(begun.seen());
+    interlock().restore(begun.seen());
     Phase next = goesOn ? begun.phase() : Phase.PAUSED;
     Pursuit again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
     if (next == Phase.PAUSED && begun.path() != null) {

@@ -4,7 +4,6 @@ import java.rmi.RemoteException;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.PathGoal;
-import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.behaviors.raster.Reach;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
@@ -35,7 +34,6 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
   private final Needed<GoToWaypoint> goTo;
   private final Needed<PositionEstimator> position;
   private final Reach reach;
-  private final DriveInterlock interlock;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public FollowWaypointsImpl(ModuleContext context) {
@@ -43,18 +41,12 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
     this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
     this.position = Needed.of(context, PositionEstimator.class, "position");
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
-    this.interlock = new DriveInterlock(context, log);
-  }
-
-  @Override
-  protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
   }
 
   @Override
   protected Pursuit begin(PathGoal goal) throws RemoteException {
     GoToWaypoint unused = goTo.now();
     reach.require(position.now().estimate().position(), goal.waypoints());
-    return new PathPursuit(path(), goTo, goal, interlock, errands(), log);
+    return new PathPursuit(path(), goTo, goal, interlock(), errands(), log);
   }
 }

@@ -4,7 +4,6 @@ import java.rmi.RemoteException;
 import java.util.List;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
-import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.behaviors.raster.Reach;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
@@ -42,7 +41,6 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   private final Needed<HeadingError> heading;
   private final Needed<FuzzyDrive> rules;
   private final Needed<PositionEstimator> position;
-  private final DriveInterlock interlock;
   private final Reach reach;
   private final int attempts;
   private final double overshoot;
@@ -54,7 +52,6 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     this.heading = Needed.of(context, HeadingError.class, "heading_error");
     this.rules = Needed.of(context, FuzzyDrive.class, "fuzzy_drive");
     this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.interlock = new DriveInterlock(context, log);
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
     this.attempts = (int) settings().number("attempts", 6, 0, 100);
     this.overshoot = settings().number("overshoot", 1, 0, 100);
@@ -62,7 +59,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
 
   @Override
   protected Pursuit begin(LegGoal goal) throws RemoteException {
-    for (Needed<?> each : List.of(room, heading, rules, interlock.drive())) {
+    for (Needed<?> each : List.of(room, heading, rules, interlock().drive())) {
       Module unused = each.now(); // refuses where one is missing
     }
     GeoPosition here = position.now().estimate().position();
@@ -74,16 +71,11 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
             heading::now,
             room::now,
             rules::now,
-            new Wheels(interlock),
+            new Wheels(interlock()),
             context().robotTime()::nanos,
             attempts,
             overshoot),
         new Leg(from, goal.to()),
         goal.tolerance());
-  }
-
-  @Override
-  protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
   }
 }

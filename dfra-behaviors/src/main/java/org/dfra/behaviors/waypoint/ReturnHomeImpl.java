@@ -2,7 +2,6 @@ package org.dfra.behaviors.waypoint;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.rmi.RemoteException;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.behavior.GoToWaypoint;
@@ -10,7 +9,6 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.HomeGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.behavior.ReturnHome;
-import org.dfra.behaviors.drive.DriveInterlock;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.module.ModuleContext;
@@ -42,7 +40,6 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
       "latitude and longitude in degrees, such as 48.0001 11.0002, or here";
 
   private final Needed<GoToWaypoint> goTo;
-  private final DriveInterlock interlock;
   private final Object place = new Object();
   private @Nullable GeoPosition home; // guarded by place
   private @Nullable GeoPosition here; // guarded by place
@@ -51,7 +48,6 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   public ReturnHomeImpl(ModuleContext context) {
     super(context, "drives back to where the robot began", "DFRA", "1", HomeGoal.class, 5);
     this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
-    this.interlock = new DriveInterlock(context, log);
     settings()
         .find("home")
         .ifPresent(
@@ -154,14 +150,9 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
           path(),
           goTo,
           new PathGoal(null, List.of(home), goal.tolerance()),
-          interlock,
+          interlock(),
           errands(),
           log);
     }
-  }
-
-  @Override
-  protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
   }
 }

@@ -2,7 +2,7 @@ package org.dfra.behaviors.waypoint;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
-import org.dfra.behaviors.drive.DriveInterlock;
+import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;

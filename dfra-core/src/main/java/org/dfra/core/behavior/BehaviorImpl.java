@@ -18,9 +18,11 @@ import org.dfra.behavior.Script;
 import org.dfra.core.chain.ControlLoop;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
 import org.dfra.core.module.SchemaImpl;
 import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StoppedForEmergency;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
@@ -40,7 +42,8 @@ import org.jspecify.annotations.Nullable;
  * pauses or cancels is obeyed at once, and the turn comes to rest at its end; a goal is refused as
  * long as the behaviour is {@linkplain GoalRefusedException#isBusy busy} with it.
  *
- * <p>Parameter {@code rate}: turns per second, 1 to 50 Hz. To be read only: {@code lateness_p99},
+ * <p>Parameters {@code rate}: turns per second, 1 to 50 Hz; {@code drive}: name of the wheels that
+ * its goals move, any of its robot where it is not set. To be read only: {@code lateness_p99},
  * seconds that 99 % of the last 600 turns were late at the most; {@code turns_missed}.
  *
  * @param <G> what it can reach
@@ -51,6 +54,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   private final double rate;
   private final ControlLoop loop;
   private final Errands errands;
+  private final DriveInterlock interlock;
 
   /** How long a turn that is under way is waited for: less than a call's deadline. */
   private static final long PATIENCE_MILLIS = 1000;
@@ -85,6 +89,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     this.loop =
         new ControlLoop("dfra-behavior " + context.path(), context.robotTime(), rate, this::turn);
     this.errands = new Errands("dfra-errands " + context.path(), context.robotTime());
+    this.interlock =
+        new DriveInterlock(context, Needed.of(context, DriveEffector.class, "drive"), log);
     this.said = new StatusLine(clock(), this::tell, this::changed);
     declared()
         .show(
@@ -108,14 +114,23 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   /**
    * A goal that has begun is about to be pursued for the first time, or a paused one again because
-   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself.
+   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. It
+   * releases the parking brake of the robot's wheels; a behaviour that moves no wheels overrides
+   * it.
    *
    * @param isAttended whether somebody who knows that the robot may move has asked for it, so that
    *     a parking brake may be released
    * @throws NotReadyException if it cannot be pursued now; a goal is not taken up then, and a
    *     paused one goes on nevertheless
    */
-  protected void prepare(boolean isAttended) throws RemoteException {}
+  protected void prepare(boolean isAttended) throws RemoteException {
+    interlock.prepare(isAttended);
+  }
+
+  /** Ties the goal to what was true of its robot's wheels when somebody asked for it. */
+  protected final DriveInterlock interlock() {
+    return interlock;
+  }
 
   /** What it says of itself besides what every behaviour does; from memory. */
   protected List<? extends Attributes> behaviorTraits() {

@@ -260,7 +260,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
       Task unused = lookAfter(left, number);
       return;
     }
-    helm().betweenCommands(() -> haltLate(number), this::haltPastCommand);
+    helm().betweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
   }
 
   private void haltLate(long number) {
@@ -276,7 +276,11 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     }
   }
 
-  private void haltPastCommand() {
+  /** Without the lock, which whoever is held up has. Where commands flow, nobody is. */
+  private void haltPastCommand(long number) {
+    if (number != watches.get() || silenceLeft() > 0) {
+      return;
+    }
     try {
       halt();
     } catch (RuntimeException e) { // a driver's fault must not keep it from the halt that follows

@@ -164,10 +164,10 @@ class CommandTimeoutTest {
         Scheduler.system().after(TimeUnit.SECONDS.toNanos(1), timer::countDown); // after its end
     assertThat(timer.await(20, TimeUnit.SECONDS)).as("the timer of all others runs on").isTrue();
     assertThat(writing).isNotDone();
-    assertThat(heldUp.drive().commander()).as("it is not over before it rests").isNotNull();
+    assertThat(heldUp.helm().commander()).as("it is not over before it rests").isNotNull();
     write.countDown();
     writing.get(20, TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> heldUp.drive().commander() == null);
+    await().atMost(PATIENCE).until(() -> heldUp.helm().commander() == null);
   }
 
   private java.util.UUID grant(Runnable over) throws LeaseRefusedException {

@@ -1,4 +1,4 @@
-package org.dfra.behaviors.drive;
+package org.dfra.core.behavior;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -51,13 +51,13 @@ public final class DriveInterlock {
   private volatile @Nullable Seen seen;
 
   /**
-   * @param context of the behaviour; its parameter {@code drive} names the wheels, and where it is
-   *     not set, any of the robot will do
+   * @param context of the behaviour
+   * @param drive the wheels that its goals move
    */
-  public DriveInterlock(ModuleContext context, Logger log) {
+  DriveInterlock(ModuleContext context, Needed<DriveEffector> drive, Logger log) {
     this.path = context.path();
     this.context = context;
-    this.drive = Needed.of(context, DriveEffector.class, "drive");
+    this.drive = drive;
     this.log = log;
   }
 
@@ -81,7 +81,7 @@ public final class DriveInterlock {
    * @throws NotReadyException if the brake may be released, and the drive does not serve, so that
    *     nobody knows whether it is set
    */
-  public void prepare(boolean isAttended) throws RemoteException {
+  void prepare(boolean isAttended) throws RemoteException {
     if (!isThere()) {
       seen = null;
       return;
