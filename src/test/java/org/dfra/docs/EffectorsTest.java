@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What stops the wheels is not merely said: each line of the table names its tests. */
+/** What stops a robot is not merely said: each line of the tables names its tests. */
 class EffectorsTest {
 
   private static final Pattern TEST = Pattern.compile("`(\\w+)\\.(\\w+)`");
@@ -20,11 +20,32 @@ class EffectorsTest {
 
   @Test
   void everyLineOfWhatStopsTheWheelsNamesATestThatThereIs() throws IOException {
+    requireTests("docs/concepts/effectors.md", 10);
+  }
+
+  @Test
+  void everyLineOfWhatStopsARobotNamesATestThatThereIs() throws IOException {
+    requireTests("docs/concepts/what-stops-a-robot.md", 20);
+  }
+
+  @Test
+  void everyTestThatIsNamedBesideTheTableIsThere() throws IOException {
+    String text = Files.readString(ROOT.resolve("docs/concepts/what-stops-a-robot.md"));
+    Matcher test = Pattern.compile("`(\\w+(?:Test|IT|Contract))\\.(\\w+)`").matcher(text);
+    int named = 0;
+    while (test.find()) {
+      named++;
+      assertThat(source(test.group(1))).contains(" void " + test.group(2) + "(");
+    }
+    assertThat(named).isGreaterThan(25);
+  }
+
+  private static void requireTests(String document, int atLeast) throws IOException {
     List<String> lines =
-        Files.readAllLines(ROOT.resolve("docs/concepts/effectors.md")).stream()
-            .filter(line -> line.startsWith("| the ") || line.startsWith("| a"))
+        Files.readAllLines(ROOT.resolve(document)).stream()
+            .filter(line -> line.matches("\\| (the|an?|percepts|frames|no) .*"))
             .toList();
-    assertThat(lines).hasSizeGreaterThanOrEqualTo(10);
+    assertThat(lines).hasSizeGreaterThanOrEqualTo(atLeast);
     for (String line : lines) {
       List<String> named = new ArrayList<>();
       Matcher test = TEST.matcher(line.substring(line.lastIndexOf('|', line.length() - 2)));

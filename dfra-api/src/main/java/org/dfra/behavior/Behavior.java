@@ -14,13 +14,21 @@ import org.dfra.module.Idempotent;
 public interface Behavior<G extends Goal> extends Schema {
 
   /**
-   * Takes up a goal. It has begun to when the call returns.
+   * Takes up a goal for somebody who knows that the robot may move. It has begun to when the call
+   * returns. Where the goal needs the robot's wheels, and their parking brake is set, this call
+   * releases it; a brake that is set later is not released, and pauses the goal.
    *
    * @return names this pursuit in every {@link BehaviorStatus}
    * @throws GoalRefusedException if the goal cannot be reached, or another is being pursued
    * @throws org.dfra.module.NotReadyException if a module that it needs is not there
    */
   UUID pursue(G goal) throws RemoteException;
+
+  /**
+   * The same for a program that acts without a person, such as another behaviour: a parking brake
+   * that is set stays set, and pauses the goal.
+   */
+  UUID pursueUnattended(G goal) throws RemoteException;
 
   /** How far it is. */
   @Idempotent
@@ -30,11 +38,26 @@ public interface Behavior<G extends Goal> extends Schema {
   @Idempotent
   void pause() throws RemoteException;
 
-  /** Goes on after {@link #pause}. Does nothing unless it is paused. */
+  /**
+   * Goes on after a pause, for somebody who knows that the robot may move: releases the parking
+   * brake as {@link #pursue} does. Does nothing unless it is paused.
+   */
   @Idempotent
   void resume() throws RemoteException;
+
+  /** The same for a program that acts without a person: a parking brake that is set stays set. */
+  @Idempotent
+  void resumeUnattended() throws RemoteException;
 
   /** Stands still and gives the goal up. Does nothing unless one is being pursued. */
   @Idempotent
   void cancel() throws RemoteException;
+
+  /**
+   * Gives up this goal, and no other: does nothing where another has been taken up since.
+   *
+   * @param goal as {@link #pursue} has named it
+   */
+  @Idempotent
+  void cancel(UUID goal) throws RemoteException;
 }

@@ -20,6 +20,15 @@ public interface Scheduler {
    */
   Task after(long nanos, Runnable task);
 
+  /**
+   * The same time, by a timer that runs nothing but command time-outs, so that nothing else can
+   * make them late. Its tasks take no lock that a driver may hold: they only hand over to a thread
+   * of the effector's own.
+   */
+  default Scheduler commandTimer() {
+    return this;
+  }
+
   /** A condition of {@code lock} whose {@code awaitNanos} goes by this time. */
   default Condition newCondition(ReentrantLock lock) {
     return lock.newCondition();
@@ -41,7 +50,10 @@ public interface Scheduler {
     return false;
   }
 
-  /** The computer's monotonic time; its tasks run on one daemon thread, {@code dfra-timer}. */
+  /**
+   * The computer's monotonic time; its tasks run on one daemon thread, {@code dfra-timer}, and
+   * those of its {@link #commandTimer} on another, {@code dfra-command-timer}.
+   */
   static Scheduler system() {
     return SystemScheduler.INSTANCE;
   }

@@ -5,24 +5,32 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** The computer's monotonic time, and the one timer thread of this virtual machine. */
+/** The computer's monotonic time, and the two timer threads of this virtual machine. */
 enum SystemScheduler implements Scheduler {
-  INSTANCE;
+  INSTANCE("dfra-timer", Thread.NORM_PRIORITY),
+  COMMANDS("dfra-command-timer", Thread.MAX_PRIORITY);
 
   private static final System.Logger LOG = System.getLogger(Scheduler.class.getName());
 
-  private final ScheduledThreadPoolExecutor timer =
-      new ScheduledThreadPoolExecutor(
-          1,
-          task -> {
-            Thread thread = new Thread(task, "dfra-timer");
-            thread.setDaemon(true);
-            thread.setContextClassLoader(null); // it outlives whoever starts it
-            return thread;
-          });
+  private final ScheduledThreadPoolExecutor timer;
 
-  SystemScheduler() {
+  SystemScheduler(String name, int priority) {
+    timer =
+        new ScheduledThreadPoolExecutor(
+            1,
+            task -> {
+              Thread thread = new Thread(task, name);
+              thread.setDaemon(true);
+              thread.setPriority(priority);
+              thread.setContextClassLoader(null); // it outlives whoever starts it
+              return thread;
+            });
     timer.setRemoveOnCancelPolicy(true);
+  }
+
+  @Override
+  public Scheduler commandTimer() {
+    return COMMANDS;
   }
 
   @Override

@@ -46,6 +46,7 @@ public final class ScriptedRobot implements AutoCloseable {
   public final SteppedTime time = new SteppedTime();
   public final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
   public final Map<String, StateStore> states = new HashMap<>();
+  private final Map<String, MortalTime> times = new HashMap<>();
   public final Drive drive = new Drive(context("drive", Map.of()));
   public final Place position = new Place(context("position", Map.of()));
   public final Room room = new Room("range_filter");
@@ -88,7 +89,9 @@ public final class ScriptedRobot implements AutoCloseable {
 
   public ModuleContext context(String name, Parameters parameters) {
     StateStore state = states.computeIfAbsent(name, unused -> StateStore.inMemory());
-    return new ModuleContext(NAME, name, parameters, time, state).among(directory);
+    MortalTime own = new MortalTime(time);
+    times.put(name, own);
+    return new ModuleContext(NAME, name, parameters, own, state).among(directory);
   }
 
   /** Starts a module and lists it. */
@@ -104,6 +107,13 @@ public final class ScriptedRobot implements AutoCloseable {
     modules.remove(module).close();
     order.remove(module);
     module.close();
+  }
+
+  /** Its process is killed: it does nothing more, not even let go of what it has begun. */
+  public void kill(ModuleImpl module, String name) {
+    times.get(name).die();
+    modules.remove(module).close();
+    order.remove(module);
   }
 
   public GoToWaypointImpl addGoTo(Map<String, String> parameters) {
@@ -167,6 +177,10 @@ public final class ScriptedRobot implements AutoCloseable {
   public static final class Drive extends DriveImpl {
 
     public final List<Velocity> told = new ArrayList<>();
+
+    /** What the brake was commanded; true to set it. */
+    public final List<Boolean> braked = new ArrayList<>();
+
     public Velocity turning = Velocity.ZERO;
 
     Drive(ModuleContext context) {
@@ -200,7 +214,25 @@ public final class ScriptedRobot implements AutoCloseable {
     }
 
     @Override
-    protected void brake(boolean set) {}
+    protected void brake(boolean set) {
+      braked.add(set);
+    }
+
+    /** Somebody sets or releases the brake by a switch on the robot. */
+    public void switchBrake(boolean set) {
+      brakeFound(set);
+    }
+
+    /** Its controller is switched off, and has its brake set when it is switched on. */
+    public void switchOff() {
+      become(Readiness.INITIALIZING, "its controller was switched off");
+      forgotten(true);
+      turning = Velocity.ZERO;
+    }
+
+    public void switchOn() {
+      become(Readiness.READY);
+    }
   }
 
   /** Tells where it is told to be. */

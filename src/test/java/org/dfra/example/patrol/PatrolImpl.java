@@ -65,6 +65,8 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
           return Progress.failed(status.doing(), (double) driven / legs);
         case CANCELLED:
           return Progress.cancelled(status.doing(), (double) driven / legs);
+        case PAUSED: // as by a brake: whoever resumes the patrol begins the leg anew
+          return Progress.held(status.doing(), (double) driven / legs);
         default:
           return going(status.doing());
       }

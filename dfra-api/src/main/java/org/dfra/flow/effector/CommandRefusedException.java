@@ -1,11 +1,11 @@
 package org.dfra.flow.effector;
 
 /**
- * A command was not obeyed, since it did not come from the effector's commander; the message says
- * who that is. Nothing has moved.
+ * A command was not executed, since it did not come from the effector's commander, came too late,
+ * or may not be executed now; the message says which. Nothing has moved.
  */
 public sealed class CommandRefusedException extends IllegalStateException
-    permits StoppedCommandException {
+    permits StoppedCommandException, BrakeEngagedException {
 
   private static final long serialVersionUID = 1L;
 

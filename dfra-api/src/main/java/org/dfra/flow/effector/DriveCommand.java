@@ -35,7 +35,8 @@ public sealed interface DriveCommand extends Command {
   }
 
   /**
-   * Set or release the parking brake. A velocity other than zero is refused while it is set.
+   * Set or release the parking brake. A velocity other than zero is refused by a {@link
+   * BrakeEngagedException} while it is set.
    *
    * @param set whether to set it
    */

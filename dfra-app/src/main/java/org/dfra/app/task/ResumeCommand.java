@@ -8,7 +8,9 @@ import picocli.CommandLine.Mixin;
 /** {@code ./dfra task resume}. */
 @Command(
     name = "resume",
-    description = "Has robots go on with what they paused.",
+    description =
+        "Has robots go on with what they paused. Releases a parking brake that is set: see first"
+            + " that they may move.",
     footer = {"", "Who has not paused is left alone."})
 final class ResumeCommand implements Callable<Integer> {
 

@@ -3,23 +3,29 @@ package org.dfra.behaviors.raster;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.UUID;
 import java.util.stream.Collectors;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.RasterGoal;
+import org.dfra.core.behavior.DriveInterlock.Seen;
 import org.dfra.core.state.StateStore;
 import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
 
 /**
- * What of a search outlives its process: the goal, how many of its waypoints are done, and whether
- * it was at work.
+ * What of a search outlives its process: the goal, how many of its waypoints are done, whether it
+ * was at work, the path that it has another drive, and when its wheels had last been stopped.
  */
 final class RasterMemory {
 
   private static final String DOCUMENT = "raster";
+  private static final String NEVER = "never";
 
   /**
    * A search that was begun.
@@ -28,8 +34,16 @@ final class RasterMemory {
    * @param reached how many waypoints of its plan are done
    * @param missed how many of those were left out
    * @param phase {@link Phase#RUNNING} or {@link Phase#PAUSED}
+   * @param path what another drives for it; null where nobody does
+   * @param seen the last emergency stop before it; null where that is not known
    */
-  record Begun(RasterGoal goal, int reached, int missed, Phase phase) {
+  record Begun(
+      RasterGoal goal,
+      int reached,
+      int missed,
+      Phase phase,
+      @Nullable PathBegun path,
+      @Nullable Seen seen) {
 
     Begun {
       if (missed < 0 || reached < missed || !phase.isUnderWay()) {
@@ -41,6 +55,23 @@ final class RasterMemory {
                 + " waypoints done and "
                 + missed
                 + " of them left out is none");
+      }
+    }
+  }
+
+  /**
+   * A path that another drives for the search.
+   *
+   * @param goal its name
+   * @param reached waypoints of the plan that were done when it began
+   * @param missed how many of those were left out
+   */
+  record PathBegun(UUID goal, int reached, int missed) {
+
+    PathBegun {
+      if (missed < 0 || reached < missed) {
+        throw new IllegalArgumentException(
+            "a path after " + reached + " waypoints, " + missed + " of them left out, is none");
       }
     }
   }
@@ -64,6 +95,16 @@ final class RasterMemory {
     text.setProperty("reached", Integer.toString(begun.reached()));
     text.setProperty("missed", Integer.toString(begun.missed()));
     text.setProperty("phase", begun.phase().name());
+    @Nullable PathBegun path = begun.path();
+    if (path != null) {
+      text.setProperty("path", path.goal().toString());
+      text.setProperty("path-reached", Integer.toString(path.reached()));
+      text.setProperty("path-missed", Integer.toString(path.missed()));
+    }
+    @Nullable Seen seen = begun.seen();
+    if (seen != null) {
+      text.setProperty("stopped", seen.since() == null ? NEVER : seen.since().toString());
+    }
     write(text);
   }
 
@@ -113,7 +154,29 @@ final class RasterMemory {
             Boolean.parseBoolean(wanted(text, "reversed"))),
         Integer.parseInt(wanted(text, "reached")),
         Integer.parseInt(text.getProperty("missed", "0")), // kept by nobody before 0.2
-        Phase.valueOf(wanted(text, "phase")));
+        Phase.valueOf(wanted(text, "phase")),
+        path(text),
+        seen(text));
+  }
+
+  private static @Nullable PathBegun path(Properties text) {
+    return text.containsKey("path")
+        ? new PathBegun(
+            UUID.fromString(wanted(text, "path")),
+            Integer.parseInt(wanted(text, "path-reached")),
+            Integer.parseInt(wanted(text, "path-missed")))
+        : null;
+  }
+
+  private static @Nullable Seen seen(Properties text) {
+    @Nullable String stopped = text.getProperty("stopped");
+    try {
+      return stopped == null
+          ? null
+          : new Seen(stopped.equals(NEVER) ? null : Instant.parse(stopped));
+    } catch (DateTimeParseException e) {
+      throw new IllegalArgumentException("\"" + stopped + "\" is no time", e);
+    }
   }
 
   private static String wanted(Properties text, String key) {

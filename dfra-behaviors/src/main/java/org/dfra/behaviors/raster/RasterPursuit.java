@@ -7,52 +7,68 @@ import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.PathGoal;
+import org.dfra.behaviors.raster.RasterMemory.PathBegun;
 import org.dfra.core.behavior.Delegation;
+import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.core.behavior.Progress;
 import org.dfra.core.behavior.Pursuit;
+import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
  * One region being searched: what is left of its waypoints is one path for {@link FollowWaypoints}.
+ * The next process of a search goes on with the path that its dead one had driven.
  */
 final class RasterPursuit implements Pursuit {
 
   private final RasterPlan plan;
   private final double tolerance;
   private final Delegation<PathGoal, FollowWaypoints> path;
+  private final DriveInterlock interlock;
   private final Counter counter;
+  private @Nullable PathBegun inherited; // until it is known what has become of it
   private int reached; // waypoints that are done
   private int missed; // of those, the ones that were left out
   private int begun; // waypoints that were done when the path began
   private int missedBefore; // of those
 
-  /** Is told when more waypoints are done. */
+  /** Keeps what the next process is to know. */
   interface Counter {
     /**
+     * More waypoints are done.
+     *
      * @param reached waypoints that are done
      * @param missed of those, the ones that were left out, barred
      */
     void count(int reached, int missed);
+
+    /** This path is being driven for it; null where none is any more. */
+    void drives(@Nullable PathBegun path);
   }
 
   /**
    * @param tolerance how near each waypoint is near enough, metres
    * @param reached waypoints that are done already, less than all
    * @param missed of those, the ones that were left out
+   * @param inherited what an earlier process has begun to have driven; null where it had nothing
    */
   RasterPursuit(
       RasterPlan plan,
       double tolerance,
       Delegation<PathGoal, FollowWaypoints> path,
+      DriveInterlock interlock,
       int reached,
       int missed,
+      @Nullable PathBegun inherited,
       Counter counter) {
     this.plan = plan;
     this.tolerance = tolerance;
     this.path = path;
+    this.interlock = interlock;
     this.reached = reached;
     this.missed = missed;
+    this.inherited = inherited;
     this.counter = counter;
   }
 
@@ -62,6 +78,7 @@ final class RasterPursuit implements Pursuit {
   }
 
   private Progress turn() throws RemoteException {
+    inherit();
     Optional<BehaviorStatus> following = path.status();
     if (following.isEmpty()) {
       return begin();
@@ -78,12 +95,35 @@ final class RasterPursuit implements Pursuit {
             : Progress.failed(status.doing(), done());
       case CANCELLED:
         return Progress.held("its path was cancelled: " + status.doing(), done());
+      case PAUSED: // as by a brake: whoever resumes the search has what is left begun anew
+        return Progress.held("its path is paused: " + status.doing(), done());
       default:
         return Progress.going(lane() + ", " + status.doing(), done());
     }
   }
 
+  /**
+   * Takes over the path of the earlier process, also where it has ended since: then what was driven
+   * is not driven again, and what was given up is not begun anew by itself.
+   */
+  private void inherit() throws RemoteException {
+    PathBegun earlier = inherited;
+    if (earlier == null) {
+      return;
+    }
+    if (path.adoptWithOutcome(earlier.goal())) {
+      begun = earlier.reached();
+      missedBefore = earlier.missed();
+    }
+    inherited = null;
+  }
+
   private Progress begin() throws RemoteException {
+    try {
+      interlock.requireNotStoppedSince();
+    } catch (StoppedCommandException e) {
+      return Progress.held(String.valueOf(e.getMessage()), done());
+    }
     List<GeoPosition> all = plan.waypoints();
     @Nullable GeoPosition from = reached == 0 ? null : all.get(reached - 1);
     try {
@@ -96,6 +136,7 @@ final class RasterPursuit implements Pursuit {
     }
     begun = reached;
     missedBefore = missed;
+    path.goal().ifPresent(goal -> counter.drives(new PathBegun(goal, begun, missedBefore)));
     return Progress.going(lane() + ", it begins", done());
   }
 
@@ -134,6 +175,15 @@ final class RasterPursuit implements Pursuit {
 
   @Override
   public void rest() {
+    PathBegun earlier = inherited;
+    if (earlier != null) { // nobody has answered yet what has become of it
+      inherited = null;
+      path.abandon(earlier.goal());
+      return;
+    }
     path.end();
+    if (!path.isLoose()) {
+      counter.drives(null);
+    }
   }
 }

@@ -2,12 +2,14 @@ package org.dfra.behaviors.raster;
 
 import java.io.IOException;
 import java.rmi.RemoteException;
+import java.util.Objects;
 import java.util.Optional;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.behaviors.raster.RasterMemory.Begun;
+import org.dfra.behaviors.raster.RasterMemory.PathBegun;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Delegation;
 import org.dfra.core.behavior.Pursuit;
@@ -20,9 +22,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Searches a region lane by lane, by way of its robot's {@link FollowWaypoints}. It keeps what it
- * has done: when its process dies at work, the next one goes on; when it was ended in good order,
- * or paused, the next one waits to be resumed. Where somebody gives up its path, or an effector is
- * stopped for an emergency, it pauses.
+ * has done: when its process dies at work, the next one goes on with the path that is being driven;
+ * when it was ended in good order, or paused, the next one waits to be resumed. Where somebody
+ * gives up its path, an effector is stopped for an emergency, or a brake is set, it pauses.
  *
  * <p>Parameters, read at the start:
  *
@@ -32,8 +34,8 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code tolerance}: how near a waypoint is near enough, metres, 0.05 to 10; default 0.4
  *   <li>{@code farthest}: metres from one waypoint to the next, and from the robot to the first; a
  *       region with more is refused, 1 to 100 000; default 2000
- *   <li>{@code follow_waypoints}, {@code position}: names of the modules it uses; where one is not
- *       set, any of its robot that can
+ *   <li>{@code follow_waypoints}, {@code position}, {@code drive}: names of the modules it uses;
+ *       where one is not set, any of its robot that can
  * </ul>
  */
 public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements RasterSearch {
@@ -51,6 +53,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   private @Nullable RasterGoal goal; // guarded by remembering
   private int reached; // guarded by remembering
   private int missed; // guarded by remembering
+  private @Nullable PathBegun driven; // guarded by remembering
   private Phase phase = Phase.IDLE; // guarded by remembering
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
@@ -73,7 +76,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     RasterPlan plan = RasterPlan.of(wanted);
     FollowWaypoints unused = follow.now();
     requireInReach(plan);
-    return pursuit(plan, wanted, 0, 0);
+    return pursuit(plan, wanted, 0, 0, null);
   }
 
   /**
@@ -91,8 +94,10 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     reach.require(here, plan.waypoints());
   }
 
-  private Pursuit pursuit(RasterPlan plan, RasterGoal wanted, int done, int leftOut) {
+  private Pursuit pursuit(
+      RasterPlan plan, RasterGoal wanted, int done, int leftOut, @Nullable PathBegun path) {
     synchronized (remembering) {
+      driven = path;
       goal = wanted;
       reached = done;
       missed = leftOut;
@@ -101,16 +106,33 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
         plan,
         tolerance,
         new Delegation<>(path(), follow, errands(), log),
+        interlock(),
         done,
         leftOut,
-        this::count);
+        path,
+        new Kept());
   }
 
-  private void count(int done, int leftOut) {
-    synchronized (remembering) {
-      reached = done;
-      missed = leftOut;
-      keep();
+  /** What a pursuit has kept for the next process. */
+  private final class Kept implements RasterPursuit.Counter {
+
+    @Override
+    public void count(int done, int leftOut) {
+      synchronized (remembering) {
+        reached = done;
+        missed = leftOut;
+        keep();
+      }
+    }
+
+    @Override
+    public void drives(@Nullable PathBegun path) {
+      synchronized (remembering) {
+        if (!Objects.equals(path, driven)) {
+          driven = path;
+          keep();
+        }
+      }
     }
   }
 
@@ -127,7 +149,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     @Nullable RasterGoal wanted = goal;
     try {
       if (phase.isUnderWay() && wanted != null) {
-        memory.keep(new Begun(wanted, reached, missed, phase));
+        memory.keep(new Begun(wanted, reached, missed, phase, driven, interlock().seen()));
       } else {
         goal = null;
         memory.forget();
@@ -156,11 +178,13 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     RasterPlan plan = RasterPlan.of(begun.goal());
     int done = Math.min(begun.reached(), plan.waypoints().size() - 1);
     int leftOut = Math.min(begun.missed(), done);
-    goOn(
-        pursuit(plan, begun.goal(), done, leftOut),
-        goesOn ? begun.phase() : Phase.PAUSED,
-        (double) done / plan.waypoints().size(),
-        leftOut);
+    interlock().restore(begun.seen());
+    Phase next = goesOn ? begun.phase() : Phase.PAUSED;
+    Pursuit again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
+    if (next == Phase.PAUSED && begun.path() != null) {
+      again.rest(); // nobody drives on for a search that is paused
+    }
+    goOn(again, next, (double) done / plan.waypoints().size(), leftOut);
   }
 
   /** {@inheritDoc} One that is ended in good order waits, when it is back, to be resumed. */

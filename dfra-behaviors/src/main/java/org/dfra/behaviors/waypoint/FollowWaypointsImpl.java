@@ -21,8 +21,9 @@ import org.dfra.flow.perceptual.PositionEstimator;
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code go_to_waypoint}, {@code position}: names of the modules it uses; where one is not
- *       set, any of its robot that can
+ *   <li>{@code go_to_waypoint}, {@code position}, {@code drive}: names of the modules it uses;
+ *       where one is not set, any of its robot that can. Of the drive it releases the parking brake
+ *       when somebody asks for a path, and it gives the path up where the drive is stopped
  *   <li>{@code farthest}: metres from one waypoint to the next, and from the robot to the first; a
  *       path with more is refused, 1 to 100 000; default 2000
  *   <li>{@code rate}: as every behaviour's; default 10 Hz
@@ -46,6 +47,6 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
   protected Pursuit begin(PathGoal goal) throws RemoteException {
     GoToWaypoint unused = goTo.now();
     reach.require(position.now().estimate().position(), goal.waypoints());
-    return new PathPursuit(path(), goTo, goal, errands(), log);
+    return new PathPursuit(path(), goTo, goal, interlock(), errands(), log);
   }
 }

@@ -9,7 +9,6 @@ import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
-import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.motor.FuzzyDrive;
 import org.dfra.flow.perceptual.HeadingError;
 import org.dfra.flow.perceptual.PositionEstimator;
@@ -20,7 +19,8 @@ import org.dfra.module.Module;
 
 /**
  * Drives along a line to its end by the schemas of its robot. Where it stands in one place too long
- * it gets itself out; where that does not help, the leg has failed.
+ * it gets itself out; where that does not help, the leg has failed. Where the parking brake is set
+ * meanwhile, the leg is paused.
  *
  * <p>Parameters, read at the start:
  *
@@ -41,7 +41,6 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   private final Needed<HeadingError> heading;
   private final Needed<FuzzyDrive> rules;
   private final Needed<PositionEstimator> position;
-  private final Needed<DriveEffector> drive;
   private final Reach reach;
   private final int attempts;
   private final double overshoot;
@@ -53,7 +52,6 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     this.heading = Needed.of(context, HeadingError.class, "heading_error");
     this.rules = Needed.of(context, FuzzyDrive.class, "fuzzy_drive");
     this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.drive = Needed.of(context, DriveEffector.class, "drive");
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
     this.attempts = (int) settings().number("attempts", 6, 0, 100);
     this.overshoot = settings().number("overshoot", 1, 0, 100);
@@ -61,7 +59,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
 
   @Override
   protected Pursuit begin(LegGoal goal) throws RemoteException {
-    for (Needed<?> each : List.of(room, heading, rules, drive)) {
+    for (Needed<?> each : List.of(room, heading, rules, interlock().drive())) {
       Module unused = each.now(); // refuses where one is missing
     }
     GeoPosition here = position.now().estimate().position();
@@ -73,7 +71,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
             heading::now,
             room::now,
             rules::now,
-            new Wheels(drive),
+            new Wheels(interlock()),
             context().robotTime()::nanos,
             attempts,
             overshoot),

@@ -9,6 +9,7 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.core.behavior.Delegation;
+import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.core.behavior.Progress;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.chain.Errands;
@@ -22,14 +23,22 @@ final class PathPursuit implements Pursuit {
 
   private final String path;
   private final PathGoal goal;
+  private final DriveInterlock interlock;
   private final Logger log;
   private final Delegation<LegGoal, GoToWaypoint> leg;
   private int next; // the waypoint that is being gone to
   private int missed;
 
-  PathPursuit(String path, Needed<GoToWaypoint> goTo, PathGoal goal, Errands errands, Logger log) {
+  PathPursuit(
+      String path,
+      Needed<GoToWaypoint> goTo,
+      PathGoal goal,
+      DriveInterlock interlock,
+      Errands errands,
+      Logger log) {
     this.path = path;
     this.goal = goal;
+    this.interlock = interlock;
     this.log = log;
     this.leg = new Delegation<>(path, goTo, errands, log);
   }
@@ -53,6 +62,8 @@ final class PathPursuit implements Pursuit {
         return reached(true);
       case CANCELLED:
         return Progress.cancelled("its leg was cancelled: " + status.doing(), done(0));
+      case PAUSED: // as by a brake: whoever resumes the path begins the leg anew
+        return Progress.held("its leg is paused: " + status.doing(), done(0));
       default:
         return going(status.doing(), status.done());
     }
@@ -62,8 +73,11 @@ final class PathPursuit implements Pursuit {
    * Begins the next leg.
    *
    * @throws GoalRefusedException if somebody else uses what drives it
+   * @throws org.dfra.flow.effector.StoppedCommandException if the drive was stopped for an
+   *     emergency since the path was begun
    */
   private Progress begin() throws RemoteException {
+    interlock.requireNotStoppedSince();
     List<GeoPosition> waypoints = goal.waypoints();
     @Nullable GeoPosition from = next == 0 ? goal.from() : waypoints.get(next - 1);
     try {

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code home}: latitude and longitude in degrees, such as {@code 48.0001 11.0002}, or {@code
  *       here}; can be set while it runs
  *   <li>{@code position}: name of the estimator it listens to; where it is not set, the first
- *   <li>{@code go_to_waypoint}: as of {@link FollowWaypointsImpl}
+ *   <li>{@code go_to_waypoint}, {@code drive}: as of {@link FollowWaypointsImpl}
  * </ul>
  */
 public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements ReturnHome {
@@ -147,7 +147,12 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
             path() + " does not know yet where home is; wait for a position, or set home");
       }
       return new PathPursuit(
-          path(), goTo, new PathGoal(null, List.of(home), goal.tolerance()), errands(), log);
+          path(),
+          goTo,
+          new PathGoal(null, List.of(home), goal.tolerance()),
+          interlock(),
+          errands(),
+          log);
     }
   }
 }

@@ -2,11 +2,9 @@ package org.dfra.behaviors.waypoint;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
-import org.dfra.core.module.Needed;
+import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
-import org.dfra.flow.effector.DriveCommand;
-import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.lease.LeaseRefusedException;
@@ -14,37 +12,34 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A robot's wheels in a behaviour's hands. It becomes their commander at the first velocity and
- * lets go of them when it rests; then they stand. Confined to the behaviour's turns.
+ * lets go of them when it rests; then they stand. It never releases their brake: see {@link
+ * DriveInterlock}. Confined to the behaviour's turns.
  */
 final class Wheels {
 
   private static final Duration LEASE = Duration.ofSeconds(2);
 
-  private final Needed<DriveEffector> drive;
+  private final DriveInterlock interlock;
   private @Nullable DriveEffector commanded;
   private @Nullable CommandLease lease;
 
-  Wheels(Needed<DriveEffector> drive) {
-    this.drive = drive;
+  Wheels(DriveInterlock interlock) {
+    this.interlock = interlock;
   }
 
   /** Has them turn so until the next velocity, which must come soon. */
   void turn(Velocity velocity) throws RemoteException, LeaseRefusedException {
-    obey(velocity);
-  }
-
-  private void obey(DriveCommand command) throws RemoteException, LeaseRefusedException {
     CommandLease held = lease;
     DriveEffector wheels = commanded;
     if (held == null || wheels == null) {
-      wheels = drive.now();
+      wheels = interlock.drive().now();
       held = wheels.command(LEASE);
       commanded = wheels;
       lease = held;
-      wheels.obey(held.key(), new Brake(false));
+      interlock.requireNotStoppedSince(wheels);
     }
     try {
-      wheels.obey(held.key(), command); // also by a lease that is over: only they know why it is
+      wheels.obey(held.key(), velocity); // also by a lease that is over: only they know why it is
     } catch (CommandRefusedException e) {
       rest();
       throw e;

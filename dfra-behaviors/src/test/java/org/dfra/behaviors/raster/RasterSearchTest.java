@@ -3,6 +3,7 @@ package org.dfra.behaviors.raster;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.dfra.behaviors.ScriptedRobot.at;
 
 import java.util.List;
@@ -48,11 +49,12 @@ class RasterSearchTest {
     return robot.add(new RasterSearchImpl(robot.context("raster_search", parameters)));
   }
 
-  /** Its process dies, and with it nothing is told or kept any more. */
+  /** Its group dies, and what drives its path with it; nothing is kept any more. */
   private RasterSearchImpl crash(RasterSearchImpl search) throws Exception {
     byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
     robot.end(search);
-    follow.cancel();
+    robot.end(follow);
+    follow = robot.add(new FollowWaypointsImpl(robot.context("follow_waypoints", Map.of())));
     robot.states.put("raster_search", StateStore.inMemory());
     robot.states.get("raster_search").write("raster", kept);
     return addSearch(Map.of());
@@ -83,6 +85,76 @@ class RasterSearchTest {
     assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(second.status().done()).isEqualTo(done);
     assertThat(robot.hears(second, "lane 3 of ", 2)).as("%s", second.status()).isTrue();
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+  }
+
+  /** Its process dies, and what drives its path in another process does not notice. */
+  private void dieAlone(RasterSearchImpl search) {
+    robot.kill(search, "raster_search");
+  }
+
+  @Test
+  void goesOnWithThePathThatItsDeadProcessBegan() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    UUID path = follow.status().goal();
+    dieAlone(first);
+    double done = follow.status().done();
+    assertThat(robot.time.until(() -> follow.status().done() > done + 0.3, LONG))
+        .as("it is driven on meanwhile")
+        .isTrue();
+    RasterSearchImpl second = addSearch(Map.of());
+    robot.time.step(1);
+    assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(second.status().done()).isCloseTo(follow.status().done(), within(0.2));
+    assertThat(follow.status().goal()).isEqualTo(path);
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+    assertThat(follow.status().goal()).as("no other was begun").isEqualTo(path);
+    assertThat(follow.status().phase()).isEqualTo(Phase.SUCCEEDED);
+  }
+
+  @Test
+  void doesNotDriveAgainWhatWasDrivenWhileItWasDead() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    UUID path = follow.status().goal();
+    dieAlone(first);
+    assertThat(robot.reaches(follow, Phase.SUCCEEDED, LONG)).isTrue();
+    RasterSearchImpl second = addSearch(Map.of());
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, 2)).as("%s", second.status()).isTrue();
+    assertThat(follow.status().goal()).isEqualTo(path);
+  }
+
+  @Test
+  void waitsToBeResumedWhereItsPathWasGivenUpWhileItWasDead() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    dieAlone(first);
+    Object stopped = robot.drive.emergencyStop("a test");
+    assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", stopped).isTrue();
+    Object released = robot.drive.releaseStop("a test");
+    RasterSearchImpl second = addSearch(Map.of());
+    assertThat(robot.reaches(second, Phase.PAUSED, 2)).as("%s", released).isTrue();
+    double stood = robot.north;
+    robot.time.step(5);
+    assertThat(robot.north).isEqualTo(stood);
+    second.resume();
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+  }
+
+  @Test
+  void endsThePathOfItsDeadProcessWhereItIsToWait() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    dieAlone(first);
+    RasterSearchImpl second = addSearch(Map.of("go_on", "false"));
+    assertThat(second.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
+    second.resume();
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
   }
 
@@ -219,6 +291,9 @@ class RasterSearchTest {
             whole.replace("RUNNING", "SUCCEEDED"),
             whole.replace("RUNNING", "DANCING"),
             whole.replace("swath=2\n", ""),
+            whole + "path=x\npath-reached=0\npath-missed=0\n",
+            whole + "path=00000000-0000-0000-0000-000000000001\npath-reached=0\n",
+            whole + "stopped=yesterday\n",
             whole.replace("48.0001,11.0001", "NaN,11"),
             whole.replace("48.0,11.0001", "48.0,11.0"))) {
       robot.states.put("raster_search", StateStore.inMemory());

@@ -18,8 +18,11 @@ import org.dfra.behavior.Script;
 import org.dfra.core.chain.ControlLoop;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
 import org.dfra.core.module.SchemaImpl;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StoppedForEmergency;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
@@ -33,13 +36,14 @@ import org.jspecify.annotations.Nullable;
  * Pursuit} of its goal a turn at a rate. Where a percept is missing or too old, a module is out of
  * reach, or another commands an effector, the behaviour comes to rest and says what it waits for.
  * Where an effector is stopped for an emergency, the goal is cancelled, since the release is not to
- * move the robot.
+ * move the robot. Where a parking brake is set, the goal is paused for the same reason.
  *
  * <p>A turn may be held up by a module that does not answer. Nobody waits for it for long: who
  * pauses or cancels is obeyed at once, and the turn comes to rest at its end; a goal is refused as
  * long as the behaviour is {@linkplain GoalRefusedException#isBusy busy} with it.
  *
- * <p>Parameter {@code rate}: turns per second, 1 to 50 Hz. To be read only: {@code lateness_p99},
+ * <p>Parameters {@code rate}: turns per second, 1 to 50 Hz; {@code drive}: name of the wheels that
+ * its goals move, any of its robot where it is not set. To be read only: {@code lateness_p99},
  * seconds that 99 % of the last 600 turns were late at the most; {@code turns_missed}.
  *
  * @param <G> what it can reach
@@ -50,6 +54,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   private final double rate;
   private final ControlLoop loop;
   private final Errands errands;
+  private final DriveInterlock interlock;
 
   /** How long a turn that is under way is waited for: less than a call's deadline. */
   private static final long PATIENCE_MILLIS = 1000;
@@ -84,6 +89,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     this.loop =
         new ControlLoop("dfra-behavior " + context.path(), context.robotTime(), rate, this::turn);
     this.errands = new Errands("dfra-errands " + context.path(), context.robotTime());
+    this.interlock =
+        new DriveInterlock(context, Needed.of(context, DriveEffector.class, "drive"), log);
     this.said = new StatusLine(clock(), this::tell, this::changed);
     declared()
         .show(
@@ -104,6 +111,26 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * @throws NotReadyException if a module that is needed is not there; nothing has moved
    */
   protected abstract Pursuit begin(G goal) throws RemoteException;
+
+  /**
+   * A goal that has begun is about to be pursued for the first time, or a paused one again because
+   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. It
+   * releases the parking brake of the robot's wheels; a behaviour that moves no wheels overrides
+   * it.
+   *
+   * @param isAttended whether somebody who knows that the robot may move has asked for it, so that
+   *     a parking brake may be released
+   * @throws NotReadyException if it cannot be pursued now; a goal is not taken up then, and a
+   *     paused one goes on nevertheless
+   */
+  protected void prepare(boolean isAttended) throws RemoteException {
+    interlock.prepare(isAttended);
+  }
+
+  /** Ties the goal to what was true of its robot's wheels when somebody asked for it. */
+  protected final DriveInterlock interlock() {
+    return interlock;
+  }
 
   /** What it says of itself besides what every behaviour does; from memory. */
   protected List<? extends Attributes> behaviorTraits() {
@@ -167,6 +194,15 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final UUID pursue(G goal) throws RemoteException {
+    return pursue(goal, true);
+  }
+
+  @Override
+  public final UUID pursueUnattended(G goal) throws RemoteException {
+    return pursue(goal, false);
+  }
+
+  private UUID pursue(G goal, boolean isAttended) throws RemoteException {
     if (!await(turning)) {
       throw GoalRefusedException.busy(
           path() + " waits for a module that does not answer; ask again in a few seconds");
@@ -182,7 +218,9 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
                 + said.now().doing()
                 + "); cancel that first, or wait for its end");
       }
-      return takeUp(begin(goal), Phase.RUNNING, "it begins", 0, 0);
+      Pursuit begun = begin(goal);
+      prepare(isAttended);
+      return takeUp(begun, Phase.RUNNING, "it begins", 0, 0);
     } finally {
       turning.unlock();
     }
@@ -240,7 +278,24 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   @Override
+  public final void cancel(UUID goal) {
+    stop(Phase.CANCELLED, "it was told to give up", goal);
+  }
+
+  @Override
   public final void resume() {
+    if (!isOver && said.phase() == Phase.PAUSED) {
+      try {
+        prepare(true);
+      } catch (RemoteException | NotReadyException e) { // the next cycle finds what is in the way
+        log.info("{}: it goes on without preparation: {}", path(), e.toString());
+      }
+    }
+    resumeUnattended();
+  }
+
+  @Override
+  public final void resumeUnattended() {
     synchronized (said) { // who pauses it again is to find the loop that he stops
       if (!isOver && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
         loop.start();
@@ -248,22 +303,36 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     }
   }
 
-  /** Somebody wants it to stop: rests and says so; says so at once where a turn is held up. */
   private void stop(Phase wanted, String why) {
+    stop(wanted, why, null);
+  }
+
+  /**
+   * Somebody wants it to stop: rests and says so; says so at once where a turn is held up.
+   *
+   * @param only the goal that is meant; null for whichever is being pursued
+   */
+  private void stop(Phase wanted, String why, @Nullable UUID only) {
     Set<Phase> from =
         wanted == Phase.CANCELLED
             ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
             : EnumSet.of(Phase.RUNNING);
     boolean isIdle = !turning.isHeldByCurrentThread() && await(turning);
     try {
-      if (!from.contains(said.phase())) {
-        return;
+      synchronized (said) { // no other goal is taken up between the question and the stop
+        BehaviorStatus now = said.now();
+        if (!from.contains(now.phase()) || !(only == null || only.equals(now.goal()))) {
+          return;
+        }
+        loop.stop();
+        if (!isIdle) {
+          said.move(from, wanted, why);
+        }
       }
-      loop.stop();
       if (isIdle) {
         rest();
+        said.move(from, wanted, why);
       }
-      said.move(from, wanted, why);
     } finally {
       if (isIdle) {
         turning.unlock();
@@ -315,6 +384,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
         | RemoteException e) {
       if (e instanceof StoppedForEmergency) { // its release must not move the robot
         end(Phase.CANCELLED, String.valueOf(e.getMessage()));
+      } else if (e instanceof BrakeEngagedException) { // likewise
+        end(Phase.PAUSED, e.getMessage() + "; when it may move, resume the goal");
       } else {
         await(e);
       }

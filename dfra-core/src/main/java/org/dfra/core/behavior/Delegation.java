@@ -15,8 +15,11 @@ import org.slf4j.Logger;
 /**
  * A goal of one behaviour that another pursues for it.
  *
- * <p>Where the other cannot be told to give it up, or its answer was lost so that nobody knows
- * whether it has begun, it is told again every second until it has answered.
+ * <p>Where the other cannot be reached to give it up, or its answer was lost so that nobody knows
+ * whether it has begun, it is asked again every second until it has answered. What it gives up is
+ * named, so that a goal that somebody else has it pursue since goes on.
+ *
+ * <p>No parking brake is released for such a goal; see {@link Behavior#pursueUnattended}.
  *
  * @param <G> what the other can reach
  * @param <B> the other's kind
@@ -33,11 +36,14 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
    */
   private record Loose<B>(B worker, @Nullable UUID goal, @Nullable UUID before) {
 
-    boolean isAt(BehaviorStatus now) {
+    /** What is to be given up; null where the other is at nothing that was begun here. */
+    @Nullable UUID unwanted(BehaviorStatus now) {
       @Nullable UUID at = now.goal();
-      return now.phase().isUnderWay()
-          && at != null
-          && (goal == null ? !at.equals(before) : at.equals(goal));
+      boolean isOurs =
+          now.phase().isUnderWay()
+              && at != null
+              && (goal == null ? !at.equals(before) : at.equals(goal));
+      return isOurs ? at : null;
     }
   }
 
@@ -74,7 +80,7 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     B chosen = needed.now();
     @Nullable UUID before = chosen.status().goal();
     try {
-      goal = chosen.pursue(wanted);
+      goal = chosen.pursueUnattended(wanted);
     } catch (RemoteException e) {
       loose = new Loose<>(chosen, null, before);
       throw e;
@@ -93,14 +99,42 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
    * @throws NotReadyException if there is none; then nobody knows either
    */
   public synchronized boolean adopt(UUID begun) throws RemoteException {
+    return adopt(begun, false);
+  }
+
+  /**
+   * The same, also where the other has ended it meanwhile, and has begun nothing else since: then
+   * {@link #status} says how.
+   */
+  public synchronized boolean adoptWithOutcome(UUID begun) throws RemoteException {
+    return adopt(begun, true);
+  }
+
+  private boolean adopt(UUID begun, boolean isEndedWanted) throws RemoteException {
     B chosen = needed.now();
     BehaviorStatus status = chosen.status();
-    if (!begun.equals(status.goal()) || !status.phase().isUnderWay()) {
+    if (!begun.equals(status.goal()) || !(isEndedWanted || status.phase().isUnderWay())) {
       return false;
     }
     worker = chosen;
     goal = begun;
     return true;
+  }
+
+  /**
+   * Has the other give up what an earlier process of the one that delegates has begun, as soon as
+   * it answers; beside whatever calls this.
+   */
+  public void abandon(UUID begun) {
+    errands.now(
+        () -> {
+          try {
+            needed.now().cancel(begun);
+          } catch (RemoteException | NotReadyException e) {
+            log.debug("{}: {} cannot be given up yet: {}", path, begun, e.toString());
+            errands.later(RETRY_NANOS, () -> abandon(begun));
+          }
+        });
   }
 
   /** What is pursued for it, by name; nothing where nothing is, as far as is known here. */
@@ -157,8 +191,9 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
       return;
     }
     try {
-      if (left.isAt(left.worker().status())) { // not what somebody else has asked for since
-        left.worker().cancel();
+      @Nullable UUID unwanted = left.unwanted(left.worker().status());
+      if (unwanted != null) {
+        left.worker().cancel(unwanted); // by name: somebody else may have it pursue another by now
       }
       loose = null;
     } catch (NotReadyException e) { // it has ended, and all that it commanded with it

@@ -2,9 +2,11 @@ package org.dfra.core.effector;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.DoubleSupplier;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.DriveCommand;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -20,7 +22,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Base of every driver of wheels or tracks. It limits velocities to what the drive can, and halts
- * the wheels when the next velocity does not come in time or the commander is lost.
+ * the wheels when the next velocity does not come in time or the commander is lost. The time-out is
+ * a timer's that no driver can hold up, and the halt is on a thread of this module's own.
  *
  * <pre>
  *   standing --velocity--&gt; moving --velocity--&gt; moving
@@ -52,18 +55,24 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   private final double mostSilence;
   private final Scheduler scheduler;
 
+  /** Runs nothing but this: see {@link Scheduler#commandTimer}. */
+  private final Scheduler timer;
+
   /** Taken after the helm's lock, and before any of the driver's. */
   private final Object state = new Object();
 
   private double maxSpeed; // guarded by state
   private double maxTurnRate; // guarded by state
-  private double silence; // guarded by state
+  private volatile double silence; // written under state
   private Velocity velocity = Velocity.ZERO; // guarded by state
   private boolean brake; // guarded by state
   private long silences; // guarded by state
-  private long lastNanos; // guarded by state; when the last velocity came
-  private @Nullable Task watch; // guarded by state
-  private long watches; // guarded by state; a watch that is not the last does nothing
+  private volatile long lastNanos; // written under state; when the last velocity came
+
+  private @Nullable Task watch; // guarded by state; the first of those with the same number
+
+  /** Written under state. A watch that has not this number does nothing. */
+  private final AtomicLong watches = new AtomicLong();
 
   /**
    * See {@link EffectorImpl#EffectorImpl}.
@@ -91,6 +100,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     this.most = most;
     this.mostSilence = Math.floor((LONGEST_SILENCE - braking) * 1e3 + 1e-6) / 1e3; // whole ms
     this.scheduler = context.robotTime();
+    this.timer = scheduler.commandTimer();
     if (!(braking >= 0 && mostSilence >= LEAST_SILENCE)) {
       throw new IllegalArgumentException(
           path()
@@ -168,6 +178,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   @Override
   protected final void obey(DriveCommand command) {
     synchronized (state) {
+      haltIfLate(); // before anything else is executed, however busy the timer's threads are
       if (command instanceof Velocity wanted) {
         move(wanted);
       } else if (command instanceof Brake wanted) {
@@ -179,14 +190,15 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   private void move(Velocity wanted) {
     if (brake && !wanted.isZero()) {
-      throw new IllegalArgumentException(
-          path() + " has its brake set; release it before it is told to move");
+      throw new BrakeEngagedException(
+          path() + " has its brake set, and does not move until that is released");
     }
     velocity = wanted.within(maxSpeed, maxTurnRate);
     lastNanos = scheduler.nanos();
     if (velocity.isZero()) {
       forgetWatch();
     } else if (watch == null) {
+      late().prepare();
       watchFor(silenceLeft());
     }
     try {
@@ -195,6 +207,15 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
       stand();
       throw e;
     }
+    haltIfLate(); // where the driver was held up, nobody waits for a timer
+  }
+
+  /** {@inheritDoc} A velocity that has waited for longer than it holds moves nothing any more. */
+  @Override
+  protected final long longestWait(DriveCommand command) {
+    return command instanceof Velocity wanted && !wanted.isZero()
+        ? Math.round(silence * 1e9)
+        : Long.MAX_VALUE;
   }
 
   private void park(boolean set) {
@@ -211,33 +232,70 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   private void watchFor(long nanos) {
     forgetWatch();
-    long number = watches;
-    watch = scheduler.after(nanos, () -> look(number));
+    watch = lookAfter(nanos, watches.get());
+  }
+
+  private Task lookAfter(long nanos, long number) {
+    return timer.after(nanos, () -> late().execute(() -> look(number)));
   }
 
   private void forgetWatch() {
-    watches++;
+    watches.incrementAndGet();
     if (watch != null) {
       watch.cancel();
       watch = null;
     }
   }
 
-  /** Halts the wheels where the last velocity is too old; on the scheduler's thread. */
+  /**
+   * Halts the wheels where the last velocity is too old; on this module's own thread. A driver that
+   * is held up by a command is halted past that, and once more when that is over.
+   */
   private void look(long number) {
-    synchronized (state) {
-      if (number != watches) {
-        return;
-      }
-      long left = silenceLeft();
-      if (left > 0) {
-        watchFor(left);
-        return;
-      }
-      silences++;
-      stand();
-      tell(snapshot());
+    if (number != watches.get()) {
+      return;
     }
+    long left = silenceLeft();
+    if (left > 0) { // a velocity has come since; without a lock, which a driver may have
+      Task unused = lookAfter(left, number);
+      return;
+    }
+    helm().betweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
+  }
+
+  private void haltLate(long number) {
+    synchronized (state) {
+      if (number != watches.get()) {
+        return;
+      }
+      if (silenceLeft() > 0) { // a velocity came meanwhile
+        Task unused = lookAfter(silenceLeft(), number);
+      } else {
+        haltIfLate();
+      }
+    }
+  }
+
+  /** Without the lock, which whoever is held up has. Where commands flow, nobody is. */
+  private void haltPastCommand(long number) {
+    if (number != watches.get() || silenceLeft() > 0) {
+      return;
+    }
+    try {
+      halt();
+    } catch (RuntimeException e) { // a driver's fault must not keep it from the halt that follows
+      log.error("{}: it could not be halted while it is held up", path(), e);
+    }
+  }
+
+  /** Halts the wheels where the last velocity is too old. Holds the lock. */
+  private void haltIfLate() {
+    if (velocity.isZero() || silenceLeft() > 0) {
+      return;
+    }
+    silences++;
+    stand();
+    tell(snapshot());
     log.warn("{}: no velocity came for too long; the wheels are halted", path());
   }
 

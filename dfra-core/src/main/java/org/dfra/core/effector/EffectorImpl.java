@@ -2,12 +2,14 @@ package org.dfra.core.effector;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.UUID;
 import org.dfra.core.module.DeviceImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.effector.Command;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.Effector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.lease.Holder;
@@ -18,6 +20,7 @@ import org.dfra.module.Precondition;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.StopAttributes;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +32,7 @@ import org.jspecify.annotations.Nullable;
  */
 public abstract class EffectorImpl<C extends Command> extends DeviceImpl implements Effector<C> {
 
+  private final Scheduler time;
   private final Helm helm;
   private final EmergencyStop stop;
 
@@ -48,6 +52,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
       List<String> puts,
       List<Precondition> preconditions) {
     super(context, description, author, version, takes, puts, preconditions);
+    this.time = context.robotTime();
     StopLatch latch = new StopLatch(context.path(), context.state(), context.clock(), log);
     this.helm = new Helm(context.path(), context.clock(), this::commanderLost, latch, this::revoke);
     this.stop = new EmergencyStop(context.path(), latch, helm, new StopEnds());
@@ -61,6 +66,14 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    *     can
    */
   protected abstract void obey(C command);
+
+  /**
+   * For how long a command may have waited behind others that the driver was held up with,
+   * nanoseconds of the robot's time; one that has waited longer is refused.
+   */
+  protected long longestWait(C command) {
+    return Long.MAX_VALUE;
+  }
 
   /**
    * There is no commander any more: comes to rest, as safely as the device can. Called between
@@ -190,9 +203,11 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
 
   @Override
   public final void obey(CommandKey key, C command) {
+    long asked = time.nanos();
     helm.obey(
         key,
         () -> {
+          refuseIfTooOld(command, time.nanos() - asked);
           Readiness readiness = readiness();
           if (!readiness.serves()) {
             @Nullable String awaits = awaits();
@@ -203,6 +218,19 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
           }
           obey(command);
         });
+  }
+
+  private void refuseIfTooOld(C command, long waited) {
+    if (waited > longestWait(command)) {
+      throw new CommandRefusedException(
+          String.format(
+              Locale.ROOT,
+              "%s was held up by an earlier command for %.1f s, so %s is too old and was not"
+                  + " executed; command anew",
+              path(),
+              waited / 1e9,
+              command));
+    }
   }
 
   /** Who commands it, for whoever serves it to the network. */

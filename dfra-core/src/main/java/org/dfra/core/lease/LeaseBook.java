@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.Executor;
 import java.util.function.IntConsumer;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
@@ -34,6 +35,7 @@ public final class LeaseBook implements AutoCloseable {
   private final InstantSource clock;
   private final Scheduler scheduler;
   private final IntConsumer clientsChanged;
+  private final Executor expiries;
 
   private final Map<UUID, Entry> entries = new HashMap<>(); // guarded by itself
   private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
@@ -55,11 +57,28 @@ public final class LeaseBook implements AutoCloseable {
       InstantSource clock,
       Scheduler scheduler,
       IntConsumer clientsChanged) {
+    this(module, terms, clock, scheduler, clientsChanged, Runnable::run);
+  }
+
+  /**
+   * The same.
+   *
+   * @param expiries ends those leases that were not renewed; the scheduler only hands over to it,
+   *     since whoever hears of the end may be held up
+   */
+  public LeaseBook(
+      String module,
+      LeaseTerms terms,
+      InstantSource clock,
+      Scheduler scheduler,
+      IntConsumer clientsChanged,
+      Executor expiries) {
     this.module = module;
     this.terms = terms;
     this.clock = clock;
     this.scheduler = scheduler;
     this.clientsChanged = clientsChanged;
+    this.expiries = expiries;
   }
 
   /** One lease. */
@@ -306,7 +325,7 @@ public final class LeaseBook implements AutoCloseable {
     if (entry.expiry != null) {
       entry.expiry.cancel();
     }
-    entry.expiry = scheduler.after(asked.toNanos(), () -> expire(id));
+    entry.expiry = scheduler.after(asked.toNanos(), () -> expiries.execute(() -> expire(id)));
   }
 
   private void expire(UUID id) {

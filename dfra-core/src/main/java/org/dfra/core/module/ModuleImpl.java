@@ -10,6 +10,7 @@ import org.dfra.core.history.HistoryBook;
 import org.dfra.core.history.HistoryWriter;
 import org.dfra.core.lease.LeaseBook;
 import org.dfra.core.log.LogLevels;
+import org.dfra.core.time.SerialExecutor;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
@@ -52,6 +53,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final EventHub events;
   private final HistoryBook history;
   private final Lifecycle lifecycle;
+  private final SerialExecutor late;
   private final LeaseBook leases;
   private final LocalListeners listeners;
 
@@ -84,8 +86,10 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
         new HistoryBook(
             path(), context.state(), clock, context.scheduler(), HistoryWriter.shared(), log);
     this.lifecycle = new Lifecycle(path(), log, events, history, context.scheduler());
+    this.late = new SerialExecutor("dfra-late " + path(), context.scheduler());
     this.leases =
-        new LeaseBook(path(), context.leases(), clock, context.scheduler(), this::countedClients);
+        new LeaseBook(
+            path(), context.leases(), clock, context.scheduler(), this::countedClients, late);
     this.listeners = new LocalListeners(events, leases, lifecycle);
   }
 
@@ -122,7 +126,11 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     try {
       endLeases();
     } finally { // the device is closed even where a holder's end went wrong
-      closeDevice();
+      try {
+        closeDevice();
+      } finally {
+        late.close();
+      }
     }
   }
 
@@ -256,6 +264,14 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     String now = declared.set(name, text);
     log.info("{}: parameter {} is now {}", path(), name, now);
     events.publish(new ModuleEvent.ParameterChanged(name, now));
+  }
+
+  /**
+   * Runs what a timer finds to be late, such as a lease that was not renewed or a command that was
+   * not followed by another, on a thread of this module's own.
+   */
+  protected final SerialExecutor late() {
+    return late;
   }
 
   /** Where the driver declares its parameters. */

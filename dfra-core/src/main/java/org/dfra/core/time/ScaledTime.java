@@ -89,7 +89,27 @@ public final class ScaledTime implements InstantSource, Scheduler {
 
   @Override
   public Task after(long nanos, Runnable task) {
-    return real.after((long) Math.ceil(nanos / speed), task);
+    return real.after(realNanos(nanos), task);
+  }
+
+  private long realNanos(long nanos) {
+    return (long) Math.ceil(nanos / speed);
+  }
+
+  @Override
+  public Scheduler commandTimer() {
+    Scheduler timer = real.commandTimer();
+    return new Scheduler() {
+      @Override
+      public long nanos() {
+        return ScaledTime.this.nanos();
+      }
+
+      @Override
+      public Task after(long nanos, Runnable task) {
+        return timer.after(realNanos(nanos), task);
+      }
+    };
   }
 
   @Override

@@ -26,6 +26,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Subscription;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -217,6 +218,35 @@ class BehaviorImplTest {
     assertThat(told)
         .filteredOn(each -> each.doing().equals("it digs"))
         .allMatch(each -> again.equals(each.goal()));
+  }
+
+  @Test
+  void pausesWhereABrakeIsSetAndGoesOnWhenSomebodyResumesIt() throws Exception {
+    UUID goal = genie.pursue(new Wish("gold"));
+    turns.add(new BrakeEngagedException("atrv1/drive has its brake set"));
+    awaitPhase(genie, Phase.PAUSED);
+    assertThat(genie.status().doing())
+        .isEqualTo("atrv1/drive has its brake set; when it may move, resume the goal");
+    assertThat(rests.get()).isPositive();
+    int stepped = steps.get();
+    turns.add(Progress.reached("here it is")); // it is released: a cycle would take this
+    genie.resume();
+    awaitPhase(genie, Phase.SUCCEEDED);
+    assertThat(steps.get()).as("none before it was resumed").isEqualTo(stepped + 1);
+    assertThat(genie.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
+  void givesUpTheGoalThatIsNamedAndNoOther() throws Exception {
+    UUID goal = genie.pursue(new Wish("gold"));
+    genie.cancel(UUID.randomUUID());
+    assertThat(genie.status().phase()).isEqualTo(Phase.RUNNING);
+    genie.cancel(goal);
+    assertThat(genie.status().phase()).isEqualTo(Phase.CANCELLED);
+    UUID next = genie.pursueUnattended(new Wish("silver"));
+    genie.cancel(goal);
+    assertThat(genie.status().phase()).as("the newer goal goes on").isEqualTo(Phase.RUNNING);
+    assertThat(genie.status().goal()).isEqualTo(next);
   }
 
   @Test

@@ -49,7 +49,7 @@ class DelegationTest {
           Proxy.newProxyInstance(
               Worker.class.getClassLoader(),
               new Class<?>[] {Worker.class},
-              (proxy, method, args) -> call(method.getName()));
+              (proxy, method, args) -> call(method.getName(), args));
   private Delegation<Wish, Worker> delegation;
 
   private volatile @Nullable UUID goal;
@@ -57,7 +57,10 @@ class DelegationTest {
   private volatile boolean losesAnswers;
   private volatile boolean isCutOff;
 
-  private Object call(String method) throws RemoteException {
+  /** Somebody else has it pursue this right after it was asked how far it is. */
+  private volatile @Nullable UUID othersNext;
+
+  private @Nullable Object call(String method, Object @Nullable [] args) throws RemoteException {
     if (method.equals("toString")) {
       return "the worker";
     } else if (method.equals("hashCode")) {
@@ -66,21 +69,30 @@ class DelegationTest {
     if (isCutOff) {
       throw new RemoteException("it is out of reach");
     }
-    Object answer =
+    @Nullable Object answer =
         switch (method) {
-          case "pursue" -> {
+          case "pursueUnattended" -> {
             phase = Phase.RUNNING;
             goal = UUID.randomUUID();
             yield goal;
           }
           case "cancel" -> {
-            phase = Phase.CANCELLED;
+            if (args == null || args[0].equals(goal)) {
+              phase = Phase.CANCELLED;
+            }
             yield null;
           }
-          case "status" -> new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0);
+          case "status" -> {
+            BehaviorStatus now = new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0);
+            @Nullable UUID next = othersNext;
+            if (next != null) {
+              goal = next;
+            }
+            yield now;
+          }
           default -> throw new AssertionError(method);
         };
-    if (losesAnswers && method.equals("pursue")) {
+    if (losesAnswers && method.equals("pursueUnattended")) {
       throw new RemoteException("its answer was lost");
     }
     return answer;
@@ -157,6 +169,31 @@ class DelegationTest {
     assertThat(delegation.status()).isEmpty();
     delegation.end();
     assertThat(phase).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void cancelsNothingThatSomebodyElseAsksForAfterItHasLooked() throws Exception {
+    delegation.begin(new Wish());
+    othersNext = UUID.randomUUID();
+    delegation.end();
+    assertThat(goal).isEqualTo(othersNext);
+    assertThat(phase).as("the newer goal goes on").isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void whatAnEarlierProcessHasBegunIsGivenUpByItsNameAsSoonAsTheOtherAnswers() throws Exception {
+    delegation.begin(new Wish());
+    UUID begun = delegation.goal().orElseThrow();
+    delegation.forget(); // as a process does that dies
+    isCutOff = true;
+    delegation.abandon(begun);
+    delegation.abandon(UUID.randomUUID());
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+    isCutOff = false;
+    await().atMost(PATIENCE).until(() -> phase == Phase.CANCELLED);
+    assertThat(delegation.adopt(begun)).isFalse();
+    assertThat(delegation.adoptWithOutcome(begun)).isTrue();
+    assertThat(delegation.status()).map(BehaviorStatus::phase).contains(Phase.CANCELLED);
   }
 
   @Test

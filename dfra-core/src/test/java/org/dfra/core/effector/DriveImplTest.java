@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.lease.SteppedScheduler;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
@@ -160,8 +161,8 @@ class DriveImplTest {
     assertThat(wheels.drive().brake()).isTrue();
     assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
     assertThatThrownBy(() -> wheels.obey(key, AHEAD))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("atrv1/wheels has its brake set; release it before it is told to move");
+        .isInstanceOf(BrakeEngagedException.class)
+        .hasMessage("atrv1/wheels has its brake set, and does not move until that is released");
     wheels.obey(key, Velocity.ZERO);
     wheels.obey(key, new Brake(false));
     wheels.obey(key, AHEAD);

@@ -30,6 +30,11 @@ public final class SteppedScheduler implements Scheduler {
     tasks.remove(due);
   }
 
+  @Override
+  public boolean isLockStep() {
+    return true; // no thread but the test's
+  }
+
   public void step(Duration duration) {
     List<Due> due;
     synchronized (this) {

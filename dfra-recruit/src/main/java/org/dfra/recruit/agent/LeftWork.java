@@ -71,7 +71,7 @@ final class LeftWork {
     for (ModuleListing<RasterSearch> search : searches()) {
       if (left.contains(search.path())) {
         try {
-          search.module().resume();
+          search.module().resumeUnattended(); // a brake that was set since stays set
           left.remove(search.path());
           keep();
         } catch (RemoteException | NotReadyException e) {

@@ -159,10 +159,14 @@ final class Trip {
 
   /** Where it has, the agent is told. */
   private boolean hasEnded(BehaviorStatus status, Journey of) {
-    if (status.phase().isUnderWay()) {
+    if (status.phase() == Phase.RUNNING) {
       return false;
     }
-    travel.forget();
+    if (status.phase() == Phase.PAUSED) { // as by a brake: nobody knows when it goes on
+      travel.end();
+    } else {
+      travel.forget();
+    }
     forget();
     journey = null;
     if (status.phase() == Phase.SUCCEEDED) {

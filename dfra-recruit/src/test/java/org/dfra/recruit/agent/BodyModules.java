@@ -216,10 +216,19 @@ final class BodyModules implements AutoCloseable {
   abstract static class Told<G extends Goal> extends BehaviorImpl<G> {
 
     @Nullable G goal;
+
+    /** Whether each that asked for a goal, or to go on, was a person. */
+    final List<Boolean> attended = new ArrayList<>();
+
     Progress progress = Progress.going("it is on its way", 0.5);
 
     Told(ModuleContext context, Class<G> type) {
       super(context, "a behaviour", "DFRA", "1", type, 10);
+    }
+
+    @Override
+    protected void prepare(boolean isAttended) {
+      attended.add(isAttended);
     }
 
     @Override

@@ -69,6 +69,20 @@ class RobotBodyTest extends BodyFixture {
   }
 
   @Test
+  void itWillNotGetThereWhereItsLegIsPausedAsByABrake() {
+    body.go(CALL, journey);
+    modules.step(1);
+    assertThat(driver.attended).as("no brake is released for others").containsExactly(false);
+    driver.progress = Progress.held("ugv1/drive has its brake set", 0.5);
+    modules.step(5);
+    assertThat(told).containsExactly("ugv1/drive has its brake set");
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+    driver.resume();
+    modules.step(1);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+  }
+
+  @Test
   void onceCalledOffItStandsAndTellsNothing() {
     body.go(CALL, journey);
     modules.step(1);
@@ -118,6 +132,7 @@ class RobotBodyTest extends BodyFixture {
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(search.status().goal()).isEqualTo(goal);
+    assertThat(search.attended).as("no brake is released by going on").containsExactly(true);
   }
 
   @Test

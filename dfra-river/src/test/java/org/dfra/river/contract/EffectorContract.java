@@ -15,6 +15,7 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.Kind;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
@@ -164,8 +165,8 @@ abstract class EffectorContract extends EmergencyStopContract {
     try (CommandLease lease = effector().command(LEASE)) {
       effector().obey(lease.key(), new Brake(true));
       assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
-          .isInstanceOf(IllegalArgumentException.class)
-          .hasMessage(PATH + " has its brake set; release it before it is told to move");
+          .isInstanceOf(BrakeEngagedException.class)
+          .hasMessage(PATH + " has its brake set, and does not move until that is released");
       assertThat(driver().told).containsExactly("halt", "brake true");
       assertThat(effector().drive().brake()).isTrue();
     }

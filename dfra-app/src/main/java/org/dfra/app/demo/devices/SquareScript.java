@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -53,6 +54,7 @@ final class SquareScript {
 
   private @Nullable CommandLease lease;
   private Instant lastCommand = Instant.MIN;
+  private boolean isBegun; // whether the brake was released, once
   private int resumptions;
   private long seen;
 
@@ -151,6 +153,8 @@ final class SquareScript {
       drive.obey(held.key(), velocity);
       lastCommand = now;
       return true;
+    } catch (BrakeEngagedException e) { // by a person, or by a controller that was switched off
+      throw e;
     } catch (CommandRefusedException | NotReadyException | RemoteException e) {
       resume();
       return false;
@@ -175,7 +179,10 @@ final class SquareScript {
         if (drive.awaitReadiness(Duration.ofSeconds(1)).serves()) {
           CommandLease taken = drive.command(LEASE);
           lease = taken;
-          drive.obey(taken.key(), new Brake(false)); // the field is level
+          if (!isBegun) { // a brake that is set later stays set
+            drive.obey(taken.key(), new Brake(false)); // the field is level
+            isBegun = true;
+          }
           return;
         }
       } catch (LeaseRefusedException

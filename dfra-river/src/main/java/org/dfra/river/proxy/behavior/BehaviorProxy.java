@@ -33,6 +33,11 @@ public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> exten
   }
 
   @Override
+  public final UUID pursueUnattended(G goal) throws RemoteException {
+    return target().pursueUnattended(goal);
+  }
+
+  @Override
   public final BehaviorStatus status() throws RemoteException {
     return target().status();
   }
@@ -48,7 +53,17 @@ public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> exten
   }
 
   @Override
+  public final void resumeUnattended() throws RemoteException {
+    target().resumeUnattended();
+  }
+
+  @Override
   public final void cancel() throws RemoteException {
     target().cancel();
+  }
+
+  @Override
+  public final void cancel(UUID goal) throws RemoteException {
+    target().cancel(goal);
   }
 }

@@ -35,6 +35,11 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
   }
 
   @Override
+  public final UUID pursueUnattended(G goal) throws RemoteException {
+    return module().pursueUnattended(goal);
+  }
+
+  @Override
   public final BehaviorStatus status() throws RemoteException {
     return module().status();
   }
@@ -50,7 +55,17 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
   }
 
   @Override
+  public final void resumeUnattended() throws RemoteException {
+    module().resumeUnattended();
+  }
+
+  @Override
   public final void cancel() throws RemoteException {
     module().cancel();
+  }
+
+  @Override
+  public final void cancel(UUID goal) throws RemoteException {
+    module().cancel(goal);
   }
 }

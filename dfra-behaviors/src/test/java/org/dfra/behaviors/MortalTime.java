@@ -1,0 +1,47 @@
+package org.dfra.behaviors;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import org.dfra.time.Scheduler;
+
+/** The stepped time of one process: once that is dead, nothing that it had planned happens. */
+final class MortalTime implements InstantSource, Scheduler {
+
+  private final SteppedTime time;
+  private boolean isDead;
+
+  MortalTime(SteppedTime time) {
+    this.time = time;
+  }
+
+  /** As {@code kill -9}. */
+  void die() {
+    isDead = true;
+  }
+
+  @Override
+  public Instant instant() {
+    return time.instant();
+  }
+
+  @Override
+  public long nanos() {
+    return time.nanos();
+  }
+
+  @Override
+  public Task after(long nanos, Runnable task) {
+    return time.after(
+        nanos,
+        () -> {
+          if (!isDead) {
+            task.run();
+          }
+        });
+  }
+
+  @Override
+  public boolean isLockStep() {
+    return true;
+  }
+}

@@ -1,0 +1,273 @@
+package org.dfra.behaviors.waypoint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.dfra.behaviors.ScriptedRobot.at;
+
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behavior.PathGoal;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.behaviors.ScriptedRobot;
+import org.dfra.behaviors.raster.RasterSearchImpl;
+import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.DriveCommand.Brake;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.module.NotReadyException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A brake that is set, and a stop that is released, never have a robot drive by itself. */
+@Timeout(120)
+class BrakeTest {
+
+  private static final LegGoal TEN_METRES = new LegGoal(null, at(10, 0), 0.4);
+  private static final PathGoal PATH = new PathGoal(null, List.of(at(4, 0), at(8, 0)), 0.4);
+  private static final RasterGoal FIELD =
+      new RasterGoal(List.of(at(1, 1), at(7, 1), at(7, 9), at(1, 9)), 2, 1.6, false);
+
+  private final ScriptedRobot robot = new ScriptedRobot();
+  private GoToWaypointImpl goTo;
+
+  @BeforeEach
+  void begin() {
+    goTo = robot.addGoTo(Map.of());
+  }
+
+  @AfterEach
+  void end() {
+    robot.close();
+  }
+
+  private FollowWaypointsImpl addFollow() {
+    return robot.add(new FollowWaypointsImpl(robot.context("follow_waypoints", Map.of())));
+  }
+
+  private RasterSearchImpl addSearch() {
+    return robot.add(new RasterSearchImpl(robot.context("raster_search", Map.of())));
+  }
+
+  /** Drives some way; nothing needs a brake to be released so far. */
+  private void drive() {
+    double east = robot.east;
+    assertThat(robot.time.until(() -> robot.east > east + 1, 30)).isTrue();
+    assertThat(robot.drive.braked).isEmpty();
+  }
+
+  private void staysPausedByTheBrake(BehaviorImpl<?> behavior) {
+    assertThat(robot.reaches(behavior, Phase.PAUSED, 2)).as("%s", behavior.status()).isTrue();
+    assertThat(behavior.status().doing()).contains("atrv1/drive has its brake set");
+    staysWhereItIs();
+    assertThat(behavior.status().phase()).isEqualTo(Phase.PAUSED);
+  }
+
+  private void staysWhereItIs() {
+    double east = robot.east;
+    double north = robot.north;
+    robot.time.step(20);
+    assertThat(robot.distanceTo(east, north)).isZero();
+    assertThat(robot.drive.braked).as("nobody has released it").doesNotContain(false);
+    assertThat(robot.drive.turning).isEqualTo(Velocity.ZERO);
+  }
+
+  @Test
+  void aBrakeThatIsSetOnTheWayPausesTheGoalUntilSomebodyResumesIt() throws Exception {
+    UUID goal = goTo.pursue(TEN_METRES);
+    drive();
+    robot.drive.switchBrake(true);
+    staysPausedByTheBrake(goTo);
+    goTo.resumeUnattended();
+    staysPausedByTheBrake(goTo);
+    goTo.resume();
+    assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
+    assertThat(robot.drive.braked).containsExactly(false);
+    assertThat(goTo.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
+  void whoeverReleasesTheBrakeDoesNotMoveTheRobotByThat() throws Exception {
+    UUID unused = goTo.pursue(TEN_METRES);
+    drive();
+    robot.drive.switchBrake(true);
+    assertThat(robot.reaches(goTo, Phase.PAUSED, 2)).isTrue();
+    robot.drive.switchBrake(false);
+    staysWhereItIs();
+  }
+
+  @Test
+  void aNewLeaseReleasesNoBrake() throws Exception {
+    UUID unused = goTo.pursue(TEN_METRES);
+    drive();
+    robot.drive.switchBrake(true);
+    robot.drive.leases().leases().forEach(lease -> robot.drive.leases().revoke(lease.id()));
+    staysPausedByTheBrake(goTo);
+  }
+
+  @Test
+  void aControllerThatIsSwitchedOffAndOnIsNotDrivenOn() throws Exception {
+    UUID unused = goTo.pursue(TEN_METRES);
+    drive();
+    robot.drive.switchOff();
+    assertThat(robot.hears(goTo, "it waits: atrv1/drive is INITIALIZING", 2)).isTrue();
+    robot.drive.switchOn();
+    staysPausedByTheBrake(goTo);
+  }
+
+  @Test
+  void theBrakeIsReleasedWhereAGoalIsAskedForAndNotWhereAProgramActsByItself() throws Exception {
+    robot.drive.switchBrake(true);
+    UUID unattended = goTo.pursueUnattended(TEN_METRES);
+    staysPausedByTheBrake(goTo);
+    goTo.cancel(unattended);
+    UUID unused = goTo.pursue(TEN_METRES);
+    assertThat(robot.drive.braked).as("before the call returns").containsExactly(false);
+    assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
+  }
+
+  @Test
+  void aBrakeThatIsSetWhileTheGoalWaitsIsNotReleased() throws Exception {
+    robot.seesRoom = false;
+    robot.time.step(1);
+    robot.drive.switchBrake(true);
+    UUID unused = goTo.pursue(TEN_METRES);
+    assertThat(robot.drive.braked).containsExactly(false);
+    robot.drive.braked.clear();
+    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    robot.drive.switchBrake(true);
+    robot.seesRoom = true;
+    staysPausedByTheBrake(goTo);
+  }
+
+  @Test
+  void anEmergencyStopEndsAGoalThatWaitedMeanwhile() throws Exception {
+    UUID unused = goTo.pursue(TEN_METRES);
+    drive();
+    robot.seesRoom = false;
+    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    Object stopped = robot.drive.emergencyStop("a test");
+    Object released = robot.drive.releaseStop("a test");
+    robot.time.step(1);
+    robot.seesRoom = true;
+    assertThat(robot.reaches(goTo, Phase.CANCELLED, 2))
+        .as("%s %s %s", stopped, released, goTo.status())
+        .isTrue();
+    assertThat(goTo.status().doing())
+        .contains("its drive was stopped for an emergency after the goal was begun");
+    staysWhereItIs();
+    UUID again = goTo.pursue(TEN_METRES);
+    assertThat(again).isNotNull();
+    assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
+  }
+
+  @Test
+  void anEmergencyStopEndsAPathThatWaitedForWhatDrivesIt() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    UUID unused = follow.pursue(PATH);
+    drive();
+    robot.end(goTo);
+    assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint", 1)).isTrue();
+    Object stopped = robot.drive.emergencyStop("a test");
+    Object released = robot.drive.releaseStop("a test");
+    goTo = robot.addGoTo(Map.of());
+    assertThat(robot.reaches(follow, Phase.CANCELLED, 2))
+        .as("%s %s %s", stopped, released, follow.status())
+        .isTrue();
+    staysWhereItIs();
+  }
+
+  @Test
+  void theNextLegReleasesNoBrake() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    UUID unused = follow.pursue(PATH);
+    assertThat(robot.time.until(() -> goTo.status().phase() == Phase.SUCCEEDED, 60)).isTrue();
+    robot.drive.switchBrake(true); // between two legs
+    staysPausedByTheBrake(follow);
+    assertThat(goTo.status().phase()).isEqualTo(Phase.CANCELLED);
+    follow.resume();
+    assertThat(robot.reaches(follow, Phase.SUCCEEDED, 60)).as("%s", follow.status()).isTrue();
+    assertThat(robot.drive.braked).containsExactly(false);
+  }
+
+  @Test
+  void aSearchIsPausedByTheBrakeAndGoesOnWhenSomebodyResumesIt() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    RasterSearchImpl search = addSearch();
+    robot.drive.switchBrake(true);
+    UUID unused = search.pursue(FIELD);
+    assertThat(robot.drive.braked).containsExactly(false);
+    robot.drive.braked.clear();
+    assertThat(robot.hears(search, "lane 2 of ", 300)).isTrue();
+    robot.drive.switchBrake(true);
+    staysPausedByTheBrake(search);
+    assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
+    search.resumeUnattended();
+    staysPausedByTheBrake(search);
+    search.resume();
+    assertThat(robot.reaches(search, Phase.SUCCEEDED, 300)).as("%s", search.status()).isTrue();
+  }
+
+  @Test
+  void theNextProcessOfASearchReleasesNoBrake() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    RasterSearchImpl first = addSearch();
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", 300)).isTrue();
+    byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
+    robot.end(first);
+    robot.end(follow); // all of its group
+    robot.states.get("raster_search").write("raster", kept);
+    robot.drive.switchBrake(true);
+    follow = addFollow();
+    RasterSearchImpl second = addSearch();
+    staysPausedByTheBrake(second);
+  }
+
+  @Test
+  void theNextProcessOfASearchIsNotMovedByTheReleaseOfAStop() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    RasterSearchImpl first = addSearch();
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", 300)).isTrue();
+    byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
+    robot.end(first);
+    robot.end(follow);
+    robot.states.get("raster_search").write("raster", kept);
+    Object stopped = robot.drive.emergencyStop("a test");
+    Object released = robot.drive.releaseStop("a test");
+    follow = addFollow();
+    RasterSearchImpl second = addSearch();
+    assertThat(robot.reaches(second, Phase.PAUSED, 2))
+        .as("%s %s %s", stopped, released, second.status())
+        .isTrue();
+    staysWhereItIs();
+  }
+
+  @Test
+  void aGoalIsRefusedWhileNobodyKnowsWhetherTheBrakeIsSet() throws Exception {
+    robot.drive.switchOff();
+    assertThatThrownBy(() -> goTo.pursue(TEN_METRES))
+        .isInstanceOf(NotReadyException.class)
+        .hasMessage(
+            "the drive of atrv1 is INITIALIZING: whether its brake is set is not known; ask again"
+                + " when it serves");
+    assertThat(goTo.status().phase()).isEqualTo(Phase.IDLE);
+  }
+
+  @Test
+  void theBrakeIsLeftToWhoeverCommandsTheWheels() throws Exception {
+    robot.drive.switchBrake(true);
+    try (CommandLease other = robot.drive.command(java.time.Duration.ofSeconds(10))) {
+      UUID unused = goTo.pursue(TEN_METRES);
+      robot.time.step(2);
+      assertThat(robot.drive.braked).isEmpty();
+      robot.drive.obey(other.key(), new Brake(false));
+    }
+    assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
+  }
+}

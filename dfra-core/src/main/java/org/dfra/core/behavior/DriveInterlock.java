@@ -1,0 +1,154 @@
+package org.dfra.core.behavior;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Objects;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.Needed;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Brake;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * Ties a behaviour's goal to what was true of the robot's wheels when somebody asked for it.
+ *
+ * <p>The parking brake is released here and nowhere else in a behaviour, only by {@link #prepare},
+ * while somebody who knows that the robot may move asks for a goal or has it go on. A brake that is
+ * set afterwards, by a person or by a controller that was switched off and on, is not released by a
+ * new lease, the next leg or the next process.
+ *
+ * <p>An emergency stop ends a goal also where it was released before the goal came to command the
+ * wheels again: {@link #requireNotStoppedSince} compares the stop's time with that of {@link
+ * #prepare}.
+ *
+ * <p>Thread-safe.
+ */
+public final class DriveInterlock {
+
+  private static final Duration LEASE = Duration.ofSeconds(2);
+
+  /**
+   * The drive's last stop or release, as a goal has found it.
+   *
+   * @param since when that was; null where there never was one
+   */
+  public record Seen(@Nullable Instant since) {}
+
+  private final String path;
+  private final ModuleContext context;
+  private final Needed<DriveEffector> drive;
+  private final Logger log;
+  private volatile @Nullable Seen seen;
+
+  /**
+   * @param context of the behaviour
+   * @param drive the wheels that its goals move
+   */
+  DriveInterlock(ModuleContext context, Needed<DriveEffector> drive, Logger log) {
+    this.path = context.path();
+    this.context = context;
+    this.drive = drive;
+    this.log = log;
+  }
+
+  /** Gives the wheels that are there now. */
+  public Needed<DriveEffector> drive() {
+    return drive;
+  }
+
+  private boolean isThere() {
+    return !context
+        .directory()
+        .find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))
+        .isEmpty();
+  }
+
+  /**
+   * A goal begins, or goes on because somebody asks for it. A robot without wheels has nothing to
+   * be prepared.
+   *
+   * @param isAttended whether the brake may be released
+   * @throws NotReadyException if the brake may be released, and the drive does not serve, so that
+   *     nobody knows whether it is set
+   */
+  void prepare(boolean isAttended) throws RemoteException {
+    if (!isThere()) {
+      seen = null;
+      return;
+    }
+    DriveEffector wheels = drive.now();
+    seen = new Seen(wheels.stopState().since());
+    if (!isAttended) {
+      return;
+    }
+    Readiness readiness = wheels.readiness();
+    if (!readiness.serves()) {
+      throw new NotReadyException(
+          "the drive of " + context.robot(),
+          readiness,
+          "whether its brake is set is not known; ask again when it serves");
+    }
+    if (wheels.drive().brake()) {
+      release(wheels);
+    }
+  }
+
+  private void release(DriveEffector wheels) throws RemoteException {
+    try (CommandLease lease = wheels.command(LEASE)) {
+      wheels.obey(lease.key(), new Brake(false));
+      log.info("{}: the parking brake is released, since a goal is to be pursued", path);
+    } catch (LeaseRefusedException | CommandRefusedException e) { // it is found set, and said so
+      log.info("{}: the parking brake stays set: {}", path, e.getMessage());
+    }
+  }
+
+  /** What the goal has found; null where it does not know. */
+  public @Nullable Seen seen() {
+    return seen;
+  }
+
+  /** What the same goal found in an earlier process. */
+  public void restore(@Nullable Seen earlier) {
+    seen = earlier;
+  }
+
+  /**
+   * Refuses where the wheels were stopped for an emergency since the goal was prepared, whether
+   * that was released or not. Asked when a goal takes the command of the wheels, after it has it,
+   * so that a later stop refuses the command itself.
+   *
+   * @throws StoppedCommandException if they were
+   * @throws NotReadyException if the wheels are not there
+   */
+  public void requireNotStoppedSince() throws RemoteException {
+    if (seen != null) {
+      requireNotStoppedSince(drive.now());
+    }
+  }
+
+  /** The same of these wheels. */
+  public void requireNotStoppedSince(DriveEffector wheels) throws RemoteException {
+    Seen begun = seen;
+    if (begun == null) {
+      return;
+    }
+    StopState now = wheels.stopState();
+    if (now.latched() || !Objects.equals(now.since(), begun.since())) {
+      throw new StoppedCommandException(
+          path
+              + ": its drive was stopped for an emergency after the goal was begun, "
+              + now.inWords()
+              + "; when it may move, ask for the goal again");
+    }
+  }
+}

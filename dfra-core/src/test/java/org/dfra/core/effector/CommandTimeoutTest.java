@@ -1,0 +1,176 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.StopState;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * Two drives in one virtual machine, by real time. The driver of the first is held up in a write.
+ */
+@Timeout(120)
+class CommandTimeoutTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final Duration LEASE = Duration.ofSeconds(30);
+  private static final Velocity AHEAD = new Velocity(0.5, 0);
+  private static final Velocity LATER = new Velocity(0.7, 0);
+  private static final String TURNED = "turn 0.5 0.0";
+
+  private final ScriptedWheels heldUp = new ScriptedWheels(Scheduler.system(), Map.of());
+  private final ScriptedWheels other = new ScriptedWheels(Scheduler.system(), Map.of());
+  private final CountDownLatch write = new CountDownLatch(1);
+
+  @BeforeEach
+  void begin() {
+    heldUp.start();
+    other.start();
+  }
+
+  @AfterEach
+  void end() {
+    write.countDown();
+    heldUp.close();
+    other.close();
+  }
+
+  private CompletableFuture<Void> holdUp(CommandKey key) {
+    heldUp.turnHeldUp = write;
+    CompletableFuture<Void> writing = command(key, AHEAD);
+    await().atMost(PATIENCE).until(() -> heldUp.told.contains(TURNED));
+    return writing;
+  }
+
+  private CompletableFuture<Void> command(CommandKey key, Velocity velocity) {
+    return CompletableFuture.runAsync(
+        () -> heldUp.obey(key, velocity), task -> new Thread(task).start());
+  }
+
+  /** How late a thread that only sleeps was; the machine did not run it for so long. */
+  private static final class StallProbe extends Thread {
+    private final AtomicBoolean over = new AtomicBoolean();
+    private volatile long worst; // nanoseconds
+
+    StallProbe() {
+      super("stall probe");
+      setDaemon(true);
+    }
+
+    @Override
+    public void run() {
+      long last = System.nanoTime();
+      while (!over.get()) {
+        try {
+          Thread.sleep(5);
+        } catch (InterruptedException e) {
+          return;
+        }
+        long now = System.nanoTime();
+        worst = Math.max(worst, now - last);
+        last = now;
+      }
+    }
+
+    long end() {
+      over.set(true);
+      return worst;
+    }
+  }
+
+  @Test
+  void aDriverThatIsHeldUpDoesNotDelayTheTimeoutOfAnother() throws Exception {
+    CompletableFuture<Void> writing = holdUp(heldUp.command(LEASE).key());
+    CommandKey key = other.command(LEASE).key();
+    StallProbe probe = new StallProbe();
+    probe.start();
+    other.obey(key, AHEAD);
+    long begun = System.nanoTime();
+    await()
+        .pollInterval(Duration.ofMillis(5))
+        .atMost(PATIENCE)
+        .until(() -> other.told.contains("halt"));
+    long halted = System.nanoTime() - begun;
+    long stalled = probe.end();
+    assertThat(writing).as("the first is held up all the while").isNotDone();
+    assertThat(other.drive().silences()).isEqualTo(1);
+    assertThat(halted - 2 * stalled)
+        .as("halted after %d ns, while the machine stalled for %d ns at most", halted, stalled)
+        .isLessThan(TimeUnit.MILLISECONDS.toNanos(500));
+  }
+
+  @Test
+  void aDriverThatIsHeldUpIsHaltedPastItsWriteAndBeforeItExecutesAnythingLater() throws Exception {
+    CommandKey key = heldUp.command(LEASE).key();
+    CompletableFuture<Void> writing = holdUp(key);
+    CompletableFuture<Void> waiting = command(key, LATER);
+    long asked = System.nanoTime();
+    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
+    assertThat(writing).isNotDone();
+    await()
+        .atMost(PATIENCE)
+        .until(() -> System.nanoTime() - asked > TimeUnit.MILLISECONDS.toNanos(500));
+    heldUp.turnHeldUp = null;
+    write.countDown();
+    writing.get(20, TimeUnit.SECONDS);
+    assertThatThrownBy(() -> waiting.get(20, TimeUnit.SECONDS))
+        .as("whoever commanded it has given up on it long ago")
+        .isInstanceOf(ExecutionException.class)
+        .hasCauseInstanceOf(CommandRefusedException.class)
+        .hasMessageContaining("was held up by an earlier command for ")
+        .hasMessageContaining("is too old and was not executed");
+    assertThat(heldUp.told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
+    assertThat(heldUp.told).doesNotContain("turn 0.7 0.0");
+    assertThat(heldUp.drive().velocity()).isEqualTo(Velocity.ZERO);
+    heldUp.obey(key, LATER);
+    assertThat(heldUp.told).as("what is fresh is executed").contains("turn 0.7 0.0");
+  }
+
+  @Test
+  void anotherIsStoppedForAnEmergencyWhileADriverIsHeldUp() throws Exception {
+    CompletableFuture<Void> writing = holdUp(heldUp.command(LEASE).key());
+    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt")); // its time-out has come
+    other.obey(other.command(LEASE).key(), AHEAD);
+    StopState stopped = other.emergencyStop("a test");
+    assertThat(stopped.resting()).isTrue();
+    assertThat(other.told).contains("halt");
+    assertThat(writing).isNotDone();
+  }
+
+  @Test
+  void theEndOfALeaseOnADriverThatIsHeldUpHoldsUpNoTimer() throws Exception {
+    CommandKey key = heldUp.helm().take("a test", over -> grant(over));
+    CompletableFuture<Void> writing = holdUp(key);
+    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
+    CountDownLatch timer = new CountDownLatch(1);
+    Object unused =
+        Scheduler.system().after(TimeUnit.SECONDS.toNanos(1), timer::countDown); // after its end
+    assertThat(timer.await(20, TimeUnit.SECONDS)).as("the timer of all others runs on").isTrue();
+    assertThat(writing).isNotDone();
+    assertThat(heldUp.helm().commander()).as("it is not over before it rests").isNotNull();
+    write.countDown();
+    writing.get(20, TimeUnit.SECONDS);
+    await().atMost(PATIENCE).until(() -> heldUp.helm().commander() == null);
+  }
+
+  private java.util.UUID grant(Runnable over) throws LeaseRefusedException {
+    return heldUp.leases().grant(Duration.ofMillis(500), Holder.COMMANDER, null, over).id();
+  }
+}
