@@ -9,6 +9,7 @@ import java.util.UUID;
 import net.jini.admin.JoinAdmin;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.Idempotent;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What administrators may do to a module while it runs: have it join other lookup services, add
@@ -36,6 +37,15 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * is done.
    */
   void deactivate() throws RemoteException;
+
+  /**
+   * Why the module does not serve now, as the rest of a sentence: what failed, or what it waits
+   * for.
+   *
+   * @return null while it serves
+   */
+  @Idempotent
+  @Nullable String unreadiness() throws RemoteException;
 
   /**
    * The time by the clock of the module's host, for those who compare clocks.

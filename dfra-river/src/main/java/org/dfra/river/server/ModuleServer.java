@@ -134,8 +134,7 @@ public abstract class ModuleServer<M extends Module>
               configuration);
       undo.push(presence);
       this.administration =
-          new ModuleAdministration(
-              presence, driver.leases(), activation.host(), id, exporter, this::close);
+          new ModuleAdministration(presence, driver, activation.host(), id, exporter, this::close);
       undo.push(administration);
       if (id != null) { // elsewhere the process is not this module's
         undo.push(EndOfProcess.closes(path, this::close));
