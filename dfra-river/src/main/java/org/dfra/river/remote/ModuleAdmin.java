@@ -5,6 +5,7 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Instant;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
 import net.jini.admin.JoinAdmin;
 import org.dfra.lease.LeaseStatus;
@@ -21,6 +22,15 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
   /** Every lease on the module, the oldest first. */
   @Idempotent
   List<LeaseStatus> leases() throws RemoteException;
+
+  /**
+   * The leases on modules elsewhere that are held in this module's virtual machine, by it or by one
+   * that shares it.
+   *
+   * @return their identities, as the other modules' {@link #leases} have them
+   */
+  @Idempotent
+  Set<UUID> heldLeases() throws RemoteException;
 
   /**
    * Ends a lease before its time, against its holder's will. A holder elsewhere hears of it at its

@@ -10,6 +10,7 @@ import java.rmi.activation.UnknownObjectException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -20,6 +21,7 @@ import net.jini.export.Exporter;
 import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.lease.LeaseStatus;
+import org.dfra.river.proxy.HeldLeases;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -170,6 +172,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   @Override
   public List<LeaseStatus> leases() {
     return module.leases().leases();
+  }
+
+  @Override
+  public Set<UUID> heldLeases() {
+    return HeldLeases.all();
   }
 
   @Override
