@@ -87,7 +87,7 @@ final class ModuleCheck implements Check {
           ? otherwise
           : Character.toUpperCase(reason.charAt(semicolon + 2))
               + reason.substring(semicolon + 3)
-              + ".";
+              + (reason.endsWith("?") ? "" : ".");
     }
   }
 }

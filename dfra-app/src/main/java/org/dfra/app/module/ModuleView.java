@@ -109,7 +109,7 @@ public record ModuleView(
             path()
                 + (refused ? " cannot be used here: " : " is " + ModuleTable.state(this) + ": ")
                 + why
-                + ".");
+                + (why.endsWith("?") ? "" : "."));
   }
 
   /** {@code robot/name}. */

@@ -15,7 +15,6 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dfra.directory.ModuleListing;
-import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.jspecify.annotations.Nullable;
@@ -72,7 +71,7 @@ public record Unready(UUID id, String path, Readiness state, String reason) {
   }
 
   private static @Nullable String reason(ModuleListing<?> module) throws RemoteException {
-    return module.module() instanceof Module ? Administration.of(module).unreadiness() : null;
+    return Administration.of(module).unreadiness();
   }
 
   private static @Nullable String answer(Future<@Nullable String> asked, long nanos)
