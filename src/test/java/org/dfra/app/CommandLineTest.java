@@ -34,8 +34,8 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, completion, demo, dist, doctor,"
-            + " down, event, fuzzy, help, lease, log, module, persona, recruit, sim,"
+        "frobnicate | there is no verb \"frobnicate\"; there is bench, build, completion, demo,"
+            + " dist, doctor, down, event, fuzzy, help, lease, log, module, persona, recruit, sim,"
             + " status, stop, task, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
@@ -46,8 +46,8 @@ class CommandLineTest {
         "up --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra up --help",
         "down --port=99999"
             + " | --port=99999 is not a port from 1 to 65535; see: ./dfra down --help",
-        "module | module needs a verb; there is add, call, diagnose, get, info, kill, list, recover,"
-            + " remove, replace, set, start, stop",
+        "module | module needs a verb; there is add, call, diagnose, get, info, kill, list,"
+            + " recover, remove, replace, set, start, stop",
         "module lst" + " | there is no verb \"module lst\"; did you mean \"list\"?",
         "help modul | there is no verb \"modul\"; did you mean \"module\"?",
         "help module lst | there is no verb \"module lst\"; did you mean \"list\"?",
@@ -76,9 +76,8 @@ class CommandLineTest {
             + " | --for=0.0 is not a number of seconds above 0; see: ./dfra event hz --help",
         "event bw gps --window=1"
             + " | --window=1 is not a number from 2 to 100000; see: ./dfra event bw --help",
-        "log level gps loud"
-            + " | LEVEL cannot be \"loud\"; it is one of trace, debug, info, warn, error; see: ./dfra"
-            + " log level --help",
+        "log level gps loud | LEVEL cannot be \"loud\"; it is one of trace, debug, info, warn,"
+            + " error; see: ./dfra log level --help",
         "up --registry-port=-2"
             + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra up --help",
       })

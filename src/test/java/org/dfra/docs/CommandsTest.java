@@ -79,6 +79,8 @@ class CommandsTest {
     assertThat(fault("demo nosuch")).isEqualTo("there is no demonstration nosuch");
     assertThat(fault("up --down")).isEqualTo("up has no option --down");
     assertThat(fault("dist --quick")).isEqualTo("dist has no option --quick");
+    assertThat(fault("build")).isNull();
+    assertThat(fault("build --quick")).isEqualTo("build has no option --quick");
     assertThat(fault("test --quick")).isEqualTo("test has no option --quick");
   }
 
@@ -96,7 +98,7 @@ class CommandsTest {
     if (verb.equals("test")) {
       return unknownOption(verb, words, testOptions());
     }
-    if (verb.equals("dist")) {
+    if (verb.equals("dist") || verb.equals("build")) {
       return unknownOption(verb, words, Set.of("-h", "--help"));
     }
     if (verb.startsWith("-")) {

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import org.dfra.core.host.FreePorts;
@@ -95,6 +96,36 @@ class RobotClassesIT {
                         .contains("its digest is not pinned"));
       }
     }
+  }
+
+  @Test
+  void aModuleWhoseClassesAreRefusedIsListedWithTheRemedyAndNoLogLine() throws Exception {
+    Path kind = KindJar.lidar(dl, "refused"); // signed by nobody
+    try (TalkingProcess robot = robot(kind)) {
+      assertThat(robot.ask("up")).isEqualTo(ALL_IS_SERVED);
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(moduleList())
+                      .containsPattern("(?m)^r1/laser +refused +0 +127\\.0\\.0\\.1 +now$")
+                      .contains("r1/laser cannot be used here: codebase http")
+                      .contains("its digest is not pinned", "or pin the digest.\n")
+                      .doesNotContain("WARN"));
+    }
+  }
+
+  /** What {@code ./dfra module list} says on both of its outputs. */
+  private String moduleList() throws Exception {
+    List<String> command =
+        new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+    command.addAll(List.of("org.dfra.app.Main", "module", "list", "--team=", "--wait=20"));
+    command.addAll(List.of("--locator=127.0.0.1:" + port, "--state=" + folder.resolve("nobody's")));
+    Process list = new ProcessBuilder(command).redirectErrorStream(true).start();
+    list.getOutputStream().close();
+    String said = new String(list.getInputStream().readAllBytes());
+    assertThat(list.waitFor()).as(said).isZero();
+    return said;
   }
 
   @Test

@@ -19,7 +19,10 @@ import org.dfra.app.sim.SimCommand;
 import org.dfra.app.stop.StopCommand;
 import org.dfra.app.task.TaskCommand;
 import org.dfra.app.terminal.Called;
+import org.dfra.core.log.LogLevels;
+import org.dfra.module.LogLevel;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
@@ -30,7 +33,7 @@ import picocli.CommandLine.ScopeType;
 @Command(
     name = "dfra",
     description = "The Distributed Field Robot Architecture.",
-    version = "dfra 0.1.0",
+    version = Main.VERSION,
     mixinStandardHelpOptions = true,
     scope = ScopeType.INHERIT,
     synopsisSubcommandLabel = "VERB",
@@ -57,26 +60,42 @@ import picocli.CommandLine.ScopeType;
     })
 public final class Main {
 
+  static final String VERSION = "dfra 0.1.0";
+
   /** Environment variable or system property with the level of the log. */
   private static final String LOG_LEVEL = "DFRA_LOG";
 
+  private static final String STOP = "stop";
+
   private Main() {}
+
+  /** The command line of one who is in a hurry: to read all verbs takes a fifth of a second. */
+  @Command(
+      name = "dfra",
+      version = VERSION,
+      mixinStandardHelpOptions = true,
+      scope = ScopeType.INHERIT,
+      subcommands = StopCommand.class)
+  private static final class Urgent {}
 
   /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
   public static void main(String[] args) {
     SerialFilters.install(); // before anything is read that somebody else wrote
     if (System.getenv(LOG_LEVEL) == null && System.getProperty(LOG_LEVEL) == null) {
       System.setProperty(LOG_LEVEL, "WARN"); // a terminal is for answers
+      LogLevels.service().set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // told by verbs
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
     try {
+      BootClassPath.require();
       TrustedCode.install();
-    } catch (IOException e) {
+    } catch (IOException | IllegalStateException e) {
       System.err.println("dfra: " + e.getMessage());
       System.exit(1);
     }
-    CommandLine line = commandLine();
+    boolean isUrgent = args.length > 0 && args[0].equals(STOP);
+    CommandLine line = isUrgent ? prepared(new CommandLine(new Urgent())) : commandLine();
     line.setOut(Called.renaming(line.getOut()));
     line.setErr(Called.renaming(line.getErr()));
     System.exit(line.execute(args));
@@ -84,10 +103,14 @@ public final class Main {
 
   /** The command line, for those who ask it about itself. */
   static CommandLine commandLine() {
-    CommandLine line = new CommandLine(new Main());
+    CommandLine line = prepared(new CommandLine(new Main()));
     line.getCommandSpec()
         .usageMessage()
         .footer(ScriptVerbs.help()); // not for the verbs, which inherit
+    return line;
+  }
+
+  private static CommandLine prepared(CommandLine line) {
     line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());

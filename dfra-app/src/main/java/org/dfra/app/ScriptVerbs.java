@@ -17,7 +17,7 @@ public final class ScriptVerbs {
 
   /** The verbs' names; none where DFRA is installed. */
   static List<String> names() {
-    return Called.isInstalled() ? List.of() : List.of("dist", "test");
+    return Called.isInstalled() ? List.of() : List.of("build", "dist", "test");
   }
 
   /** What the help of the command line tells of them. */
@@ -27,6 +27,7 @@ public final class ScriptVerbs {
         : new String[] {
           "",
           "Also, by the script itself:",
+          "  build  Makes new jars of the sources; what runs keeps its own.",
           "  dist   Packs what runs on a computer with only a Java runtime.",
           "  test   Runs tests:",
           "         test [--full|--soak] [--integration] [--java HOME] [--seed N].",

@@ -49,9 +49,10 @@ class UpCommandTest {
   /** A module of the properties that come with DFRA, its parameter in line 5. */
   private static String module(String name, String properties, String parameter, String value) {
     return """
-        <module name="%s" properties="%s">
-        <parameter name="%s" value="%s"/>
-        </module>"""
+    <module name="%s" properties="%s">
+    <parameter name="%s" value="%s"/>
+    </module>\
+    """
         .formatted(
             name, CONFIG.resolve("modules").resolve(properties + ".properties"), parameter, value);
   }
@@ -110,7 +111,8 @@ class UpCommandTest {
                 <module name="gps" properties="%s">
                 <parameter name="link" value="tcp://127.0.0.1:1"/>
                 <parameter name="reopen_frist" value="1"/>
-                </module>"""
+                </module>\
+                """
                     .formatted(CONFIG.resolve("modules/m12plus.properties"))))
         .containsExactly(
             at(6) + "eta/gps has no parameter \"reopen_frist\"; did you mean \"reopen_first\"?");
@@ -168,6 +170,28 @@ class UpCommandTest {
                 module("range_filter", "range-filter", "scan", "7")
                     + module("heading_error", "heading-error", "lookahead", "0")))
         .hasSize(2);
+  }
+
+  @Test
+  void tellsAWrongValueAndAMisspeltParameterOfOneModuleTogether() throws IOException {
+    String both =
+        """
+        <module name="range_filter" properties="%s">
+        <parameter name="rech" value="8"/>
+        <parameter name="reach" value="8m"/>
+        <parameter name="scans" value="laser"/>
+        <parameter name="memory" value="long"/>
+        </module>\
+        """
+            .formatted(CONFIG.resolve("modules/range-filter.properties"));
+    List<String> refused = refused(both);
+    assertThat(refused).hasSize(4);
+    assertThat(String.join("\n", refused))
+        .contains(
+            ":5: eta/range_filter has no parameter \"rech\"; did you mean \"reach\"?",
+            ":6: eta/range_filter: parameter reach is \"8m\", which is not a number",
+            ":7: eta/range_filter: parameter scans is \"laser\", which is not a number",
+            ":8: eta/range_filter: parameter memory is \"long\", which is not a number");
   }
 
   static Stream<Path> properties() throws IOException {

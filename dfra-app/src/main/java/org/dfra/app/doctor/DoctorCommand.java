@@ -89,6 +89,7 @@ public final class DoctorCommand implements Callable<Integer> {
       boolean isRobotUp = phoenix.pid().isPresent();
       checks.add(new RegistrarCheck(survey, team.namedLocators(), isRobotUp));
       checks.add(new ClockCheck(survey));
+      checks.add(new ModuleCheck(survey));
       checks.add(new StopCheck(survey));
       return Examination.of(checks);
     } catch (ConfigurationException | IOException e) {

@@ -32,6 +32,8 @@ public enum Subject {
   REGISTRAR,
   /** How far a robot's clock is off this computer's. */
   CLOCK,
+  /** A module that cannot be used now, or here. */
+  MODULE,
   /** An effector that is stopped for an emergency. */
   EMERGENCY_STOP;
 

@@ -26,6 +26,7 @@ import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.app.team.Unready;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
@@ -42,7 +43,11 @@ import org.jspecify.annotations.Nullable;
  * longer: who waits long for a slow computer waits longer for its answers. All are asked at once.
  */
 final class TeamSurvey
-    implements RegistrarCheck.Search, ClockCheck.Clocks, StopCheck.Stops, AutoCloseable {
+    implements RegistrarCheck.Search,
+        ModuleCheck.Modules,
+        ClockCheck.Clocks,
+        StopCheck.Stops,
+        AutoCloseable {
 
   /** How long one peer is waited for at least. */
   private static final Duration LEAST_DEADLINE = Duration.ofMillis(800);
@@ -102,6 +107,14 @@ final class TeamSurvey
         groups,
         HostAddress.isLoopback(locator.getHost()),
         Duration.ofNanos(System.nanoTime() - asked));
+  }
+
+  @Override
+  public ModuleCheck.Unusable unusable() throws InterruptedException {
+    directory.awaitFirstLook(patience);
+    return new ModuleCheck.Unusable(
+        Unready.among(directory.find(ModuleQuery.of(Module.class)), deadline),
+        directory.unreadable());
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.dfra.app.lease;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.UUID;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseStatus;
@@ -11,22 +12,34 @@ import org.jspecify.annotations.Nullable;
  * A lease on a module; the components as in {@link LeaseStatus}.
  *
  * @param module the module's path, {@code robot/name}
+ * @param heldBy the modules of the process that holds it, one of which does; none where no module
+ *     is known to
  * @param local whether its holder lives in the module's own virtual machine
  */
 record LeaseView(
     String module,
     UUID id,
     Holder holder,
+    List<String> heldBy,
     boolean local,
     @Nullable String host,
     Instant since,
     @Nullable Duration remaining) {
 
+  LeaseView {
+    heldBy = List.copyOf(heldBy);
+  }
+
   static LeaseView of(String module, LeaseStatus lease) {
+    return of(module, lease, List.of());
+  }
+
+  static LeaseView of(String module, LeaseStatus lease, List<String> heldBy) {
     return new LeaseView(
         module,
         lease.id(),
         lease.holder(),
+        heldBy,
         lease.isLocal(),
         lease.host(),
         lease.since(),
@@ -43,6 +56,14 @@ record LeaseView(
       return "its own JVM";
     }
     return host == null ? "not known" : host;
+  }
+
+  /** Who holds it: a module, or else where whoever it is has asked for it. */
+  String holderInWords() {
+    if (local) {
+      return "a module in its own JVM";
+    }
+    return heldBy.isEmpty() ? "a program at " + hostInWords() : String.join(" or ", heldBy);
   }
 
   String endInWords() {

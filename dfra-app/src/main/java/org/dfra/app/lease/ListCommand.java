@@ -1,6 +1,7 @@
 package org.dfra.app.lease;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -40,6 +41,9 @@ final class ListCommand implements Callable<Integer> {
       description = "Only those on this module.")
   private @Nullable String module;
 
+  /** How long modules may take to say which leases they hold. */
+  private static final Duration ANSWERS = Duration.ofSeconds(2);
+
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private TeamOptions options;
@@ -49,10 +53,11 @@ final class ListCommand implements Callable<Integer> {
     try (Team team = options.open()) {
       List<LeaseView> leases = new ArrayList<>();
       int silent = 0;
+      Holders holders = Holders.among(all(team), ANSWERS);
       for (ModuleListing<Module> each : asked(team)) {
         try {
           for (LeaseStatus lease : Administration.of(each).leases()) {
-            leases.add(LeaseView.of(each.path(), lease));
+            leases.add(LeaseView.of(each.path(), lease, holders.of(lease.id())));
           }
         } catch (RemoteException e) {
           if (module != null) {
@@ -71,18 +76,22 @@ final class ListCommand implements Callable<Integer> {
     if (module != null) {
       return List.of(team.module(module));
     }
+    return all(team);
+  }
+
+  private static List<ModuleListing<Module>> all(Team team) throws InterruptedException {
     return team.surveyed().find(ModuleQuery.of(Module.class)).stream()
         .sorted(Comparator.comparing(ModuleListing<Module>::path))
         .toList();
   }
 
   private void show(List<LeaseView> leases) {
-    Table table = new Table("MODULE", "HOLDER", "HOST", "SINCE", "EXPIRES", "LEASE");
+    Table table = new Table("MODULE", "AS", "HELD BY", "SINCE", "EXPIRES", "LEASE");
     for (LeaseView each : leases) {
       table.row(
           each.module(),
           each.holder().name().toLowerCase(Locale.ROOT),
-          each.hostInWords(),
+          each.holderInWords(),
           each.since().truncatedTo(ChronoUnit.SECONDS).toString(),
           each.endInWords(),
           each.shortId());

@@ -1,12 +1,21 @@
 package org.dfra.app.module;
 
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.UUID;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.app.team.Unready;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -15,6 +24,9 @@ import picocli.CommandLine.Option;
 /** {@code ./dfra module list}. */
 @Command(name = "list", description = "Lists the modules of the team.")
 final class ListCommand implements Callable<Integer> {
+
+  /** How long modules that do not serve may take to say why. */
+  private static final Duration WHY = Duration.ofSeconds(2);
 
   @Option(names = "--robot", paramLabel = "ROBOT", description = "Only those of this robot.")
   private @Nullable String robot;
@@ -33,15 +45,36 @@ final class ListCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     try (Team team = options.open()) {
       ModuleQuery<Module> any = ModuleQuery.of(Module.class);
-      List<ModuleView> modules =
-          team.surveyed().find(robot == null ? any : any.robot(robot)).stream()
+      JiniModuleDirectory directory = team.surveyed();
+      List<ModuleListing<Module>> listings =
+          directory.find(robot == null ? any : any.robot(robot)).stream()
               .filter(each -> kind == null || Kinds.isOf(each.module(), kind))
-              .map(ModuleView::of)
-              .sorted(java.util.Comparator.comparing(ModuleView::path))
+              .toList();
+      Map<UUID, String> reasons = new HashMap<>();
+      Unready.among(listings, WHY).forEach(each -> reasons.put(each.id(), each.reason()));
+      List<ModuleView> modules =
+          Stream.concat(
+                  listings.stream().map(each -> view(each, reasons.get(each.id()))),
+                  refused(directory))
+              .sorted(Comparator.comparing(ModuleView::path))
               .toList();
       ModuleTable.show(options.answer(), modules, nothing());
       return ExitCode.WELL;
     }
+  }
+
+  private static ModuleView view(ModuleListing<Module> listing, @Nullable String reason) {
+    ModuleView view = ModuleView.of(listing);
+    return reason == null ? view : view.because(reason);
+  }
+
+  /** Those whose proxies cannot be read here; of which kind they are is not known. */
+  private Stream<ModuleView> refused(JiniModuleDirectory directory) {
+    return kind != null
+        ? Stream.of()
+        : directory.unreadable().stream()
+            .filter(each -> robot == null || each.robot().equals(robot))
+            .map(ModuleView::of);
   }
 
   private String nothing() {

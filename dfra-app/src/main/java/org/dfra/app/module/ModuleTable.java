@@ -23,13 +23,22 @@ public final class ModuleTable {
       table.row(
           each.path(),
           String.join(", ", each.kinds()),
-          each.state().map(ModuleTable::word).orElse("not known")
-              + (each.stopped() ? ", EMERGENCY STOP" : ""),
+          state(each) + (each.stopped() ? ", EMERGENCY STOP" : ""),
           Integer.toString(each.clients()),
           each.host(),
           Seen.of(each.stale(), each.confirmed()));
     }
     answer.table(modules, table, nothing);
+    if (!answer.isJson()) {
+      modules.stream()
+          .flatMap(each -> each.complaint().stream())
+          .forEach(sentence -> answer.line(sentence, sentence));
+    }
+  }
+
+  /** Its state, in a word or two. */
+  static String state(ModuleView module) {
+    return module.refused() ? "refused" : module.state().map(ModuleTable::word).orElse("not known");
   }
 
   private static String word(Readiness state) {

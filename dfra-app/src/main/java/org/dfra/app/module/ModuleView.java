@@ -9,6 +9,7 @@ import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.StopAttributes;
+import org.dfra.river.lookup.UnreadableModule;
 
 /**
  * A module as its entries tell of it, without asking it.
@@ -24,6 +25,8 @@ import org.dfra.persona.StopAttributes;
  * @param stale whether no registrar that answers holds it any more
  * @param confirmed when a registrar last did
  * @param id its service ID
+ * @param reason why it does not serve, or why its classes are refused here; absent where it serves
+ * @param refused whether its proxy cannot be read here
  */
 public record ModuleView(
     String robot,
@@ -36,7 +39,9 @@ public record ModuleView(
     Locality locality,
     boolean stale,
     Instant confirmed,
-    String id) {
+    String id,
+    Optional<String> reason,
+    boolean refused) {
 
   public ModuleView {
     kinds = List.copyOf(kinds);
@@ -56,7 +61,55 @@ public record ModuleView(
         listing.locality(),
         listing.stale(),
         listing.confirmed(),
-        listing.id().toString());
+        listing.id().toString(),
+        Optional.empty(),
+        false);
+  }
+
+  /** What is known of one whose proxy cannot be read here. */
+  static ModuleView of(UnreadableModule module) {
+    return new ModuleView(
+        module.robot(),
+        module.name(),
+        List.of(),
+        Optional.empty(),
+        false,
+        0,
+        module.host(),
+        Locality.REMOTE,
+        false,
+        Instant.now(),
+        module.id(),
+        Optional.of(module.reason()),
+        true);
+  }
+
+  /** The same with the reason why it does not serve. */
+  ModuleView because(String why) {
+    return new ModuleView(
+        robot,
+        name,
+        kinds,
+        state,
+        stopped,
+        clients,
+        host,
+        locality,
+        stale,
+        confirmed,
+        id,
+        Optional.of(why),
+        refused);
+  }
+
+  /** A sentence about one that cannot be used now; empty where it can be. */
+  Optional<String> complaint() {
+    return reason.map(
+        why ->
+            path()
+                + (refused ? " cannot be used here: " : " is " + ModuleTable.state(this) + ": ")
+                + why
+                + (why.endsWith("?") ? "" : "."));
   }
 
   /** {@code robot/name}. */

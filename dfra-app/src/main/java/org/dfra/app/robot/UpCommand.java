@@ -63,7 +63,7 @@ public final class UpCommand implements Callable<Integer> {
     for (Path each : xml) { // all are read and tried before anything is begun
       robots.add(RobotXml.read(each));
     }
-    robots.forEach(Rehearsal::of);
+    Rehearsal.of(robots);
     PhoenixProcess phoenix = options.last();
     if (!phoenix.answers()) {
       // Its address is in every proxy that brings a module back, so others must reach it too.
@@ -87,6 +87,7 @@ public final class UpCommand implements Callable<Integer> {
         stops.forEach(each -> say("But " + each + "."));
       }
       sayClasses(bootstrap);
+      OtherJars.sentences(phoenix, robot.name()).forEach(each -> say(each + "."));
     }
     if (answer.isJson()) {
       answer.outline(services);

@@ -11,6 +11,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.lookup.UnreadableModule;
 
 /** The team's robots, as one command sees them. Closing it ends the search. */
 public final class Team implements AutoCloseable {
@@ -76,6 +77,9 @@ public final class Team implements AutoCloseable {
     List<String> names =
         (found.isEmpty() ? directory.find(ModuleQuery.of(Module.class)) : found)
             .stream().map(ModuleListing::path).distinct().sorted().toList();
+    if (found.isEmpty()) {
+      refuseUnreadable(name);
+    }
     throw new CommandFailure(
         ExitCode.NOT_FOUND,
         found.isEmpty()
@@ -86,6 +90,16 @@ public final class Team implements AutoCloseable {
                     isFullName ? names : withoutRobots(names),
                     "; ./dfra module list shows what there is")
             : "there are several modules " + name + "; name one of " + String.join(", ", names));
+  }
+
+  /** Says why a module that is there cannot be used here. */
+  private void refuseUnreadable(String name) {
+    for (UnreadableModule each : directory.unreadable()) {
+      if (each.path().equals(name) || each.name().equals(name)) {
+        throw new CommandFailure(
+            ExitCode.FAILED, each.path() + " cannot be used here: " + each.reason());
+      }
+    }
   }
 
   /** Without their robots, as they may be written too. */

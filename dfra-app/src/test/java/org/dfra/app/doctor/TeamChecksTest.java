@@ -10,10 +10,14 @@ import java.time.InstantSource;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import java.util.UUID;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.dfra.app.team.Unready;
+import org.dfra.module.Readiness;
 import org.dfra.persona.StopAttributes;
+import org.dfra.river.lookup.UnreadableModule;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -147,5 +151,39 @@ class TeamChecksTest {
                     + " nobody",
                 "When it is safe, release it: ./dfra stop --release atrv1."));
     assertThat(new StopCheck(List::of).examine()).isEmpty();
+  }
+
+  @Test
+  void findsModulesThatAreNotReadyWithTheReason() throws Exception {
+    UUID id = new UUID(0, 1);
+    ModuleCheck check =
+        new ModuleCheck(
+            () ->
+                new ModuleCheck.Unusable(
+                    List.of(
+                        new Unready(
+                            id, "atrv1/gps", Readiness.INITIALIZING, "its link is being opened"),
+                        new Unready(
+                            id, "atrv1/laser", Readiness.FAILED, "its motor stands; unblock it"),
+                        new Unready(id, "atrv1/search", Readiness.PAUSED, "it is paused")),
+                    List.of(
+                        new UnreadableModule(
+                            "atrv2",
+                            "lidar",
+                            "192.0.2.7",
+                            id.toString(),
+                            "codebase c refused: it is not pinned; pin the digest"))));
+    assertThat(check.examine())
+        .containsExactly(
+            Finding.warn(
+                Subject.MODULE,
+                "atrv1/gps is initializing: its link is being opened",
+                "Look at its device and its link; ./dfra module info atrv1/gps shows its"
+                    + " parameters and its history."),
+            Finding.fail(Subject.MODULE, "atrv1/laser is failed: its motor stands", "Unblock it."),
+            Finding.warn(
+                Subject.MODULE,
+                "atrv2/lidar cannot be used here: codebase c refused: it is not pinned",
+                "Pin the digest."));
   }
 }

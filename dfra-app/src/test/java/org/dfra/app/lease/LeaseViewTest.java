@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Set;
 import java.util.UUID;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseStatus;
@@ -42,5 +43,19 @@ class LeaseViewTest {
             "atrv1/gps",
             new LeaseStatus(ID, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(1)));
     assertThat(somewhere.hostInWords()).isEqualTo("not known");
+  }
+
+  @Test
+  void namesTheModuleThatHoldsItWhereOneIsKnown() {
+    LeaseStatus lease =
+        new LeaseStatus(ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, Duration.ofSeconds(1));
+    Holders holders = new Holders().add("atrv1/search", Set.of(ID, new UUID(0, 1)));
+    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
+        .isEqualTo("atrv1/search");
+    holders.add("atrv1/avoid", Set.of(ID)); // in the same process
+    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
+        .isEqualTo("atrv1/avoid or atrv1/search");
+    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(new UUID(0, 2))).holderInWords())
+        .isEqualTo("a program at 192.0.2.7");
   }
 }

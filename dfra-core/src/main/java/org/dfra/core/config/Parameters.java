@@ -43,6 +43,9 @@ public final class Parameters implements Serializable {
      * @param kind what the other module must be
      */
     default void needs(String name, Class<?> kind) {}
+
+    /** A parameter's value is wrong, or missing; whoever reads it is about to be refused it. */
+    default void wrong(String name) {}
   }
 
   private final String owner;
@@ -75,6 +78,13 @@ public final class Parameters implements Serializable {
   /** The same ones, which tell what they are asked for. */
   public Parameters telling(Listener hearing) {
     return new Parameters(owner, values, hearing);
+  }
+
+  /** The same ones less one, to try how far whoever reads them comes without it. */
+  public Parameters without(String name) {
+    TreeMap<String, Value> others = new TreeMap<>(values);
+    others.remove(name);
+    return new Parameters(owner, others, listener);
   }
 
   /** The parameter's text. */
@@ -205,6 +215,9 @@ public final class Parameters implements Serializable {
   private Value value(String name) {
     Value value = read(name);
     if (value == null) {
+      if (listener != null) {
+        listener.wrong(name);
+      }
       throw new ConfigurationException(
           owner
               + ": parameter "
@@ -220,6 +233,9 @@ public final class Parameters implements Serializable {
 
   private ConfigurationException fault(
       String name, Value value, String expected, @Nullable Throwable cause) {
+    if (listener != null) {
+      listener.wrong(name);
+    }
     String message =
         value.place()
             + ": "

@@ -61,6 +61,7 @@ public final class LatestReading<T> {
     this.become = become;
     this.nanos = nanos;
     this.longestAge = longestAge;
+    module.awaits(this);
   }
 
   /** A new one has come; a module that is INITIALIZING becomes READY by it. */

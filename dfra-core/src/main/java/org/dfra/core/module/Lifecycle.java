@@ -1,6 +1,7 @@
 package org.dfra.core.module;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -10,6 +11,7 @@ import org.dfra.event.ModuleEvent;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
 import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
@@ -30,6 +32,7 @@ final class Lifecycle {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition readinessChanged;
   private Readiness readiness = Readiness.CREATED; // guarded by lock
+  private @Nullable String why; // the last step was made, where somebody said so; guarded by lock
   private boolean started; // guarded by lock
   private boolean closed; // guarded by lock
   private boolean lapsed; // guarded by lock: it served once, and has not come back since
@@ -134,13 +137,27 @@ final class Lifecycle {
     }
   }
 
+  /** Why it made its last step, as a clause; empty where nobody said so. */
+  Optional<String> why() {
+    lock.lock();
+    try {
+      return Optional.ofNullable(why);
+    } finally {
+      lock.unlock();
+    }
+  }
+
   /** As {@link ModuleImpl#become(Readiness)}. */
   void become(Readiness next) {
-    become(next, "it went from serving to " + next);
+    become(next, "it went from serving to " + next, null);
   }
 
   /** As {@link ModuleImpl#become(Readiness, String)}. */
-  void become(Readiness next, String why) {
+  void become(Readiness next, String reason) {
+    become(next, reason, reason);
+  }
+
+  private void become(Readiness next, String incident, @Nullable String reason) {
     lock.lock();
     try {
       if (readiness == next || closed) {
@@ -152,10 +169,11 @@ final class Lifecycle {
       Readiness last = readiness;
       log.info("{}: {} -> {}", module, last, next);
       readiness = next;
+      why = reason;
       readinessChanged.signalAll();
       history.serving(next.serves());
       events.publish(new ModuleEvent.ReadinessChanged(last, next));
-      remember(last, next, why);
+      remember(last, next, incident);
       if (next == Readiness.READY && clients > 0) {
         become(Readiness.ACTIVE);
       }
@@ -164,10 +182,10 @@ final class Lifecycle {
     }
   }
 
-  private void remember(Readiness last, Readiness next, String why) {
+  private void remember(Readiness last, Readiness next, String incident) {
     if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
       lapsed = true;
-      note(Incident.Kind.FAILURE, why);
+      note(Incident.Kind.FAILURE, incident);
     } else if (lapsed && next.serves()) {
       lapsed = false;
       note(Incident.Kind.RECOVERY, "it serves again");

@@ -3,6 +3,8 @@ package org.dfra.core.module;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.event.EventHub;
@@ -56,6 +58,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final SerialExecutor late;
   private final LeaseBook leases;
   private final LocalListeners listeners;
+  private final List<LatestReading<?>> readings = new CopyOnWriteArrayList<>();
 
   /**
    * Held while {@link #onStart} or {@link #onClose} runs; taken before {@link #lifecycle}'s own.
@@ -182,6 +185,37 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   @Override
   public final Readiness awaitReadiness(Duration patience) {
     return lifecycle.await(patience);
+  }
+
+  /**
+   * Why the module does not serve now, as the rest of a sentence: what failed, or what it waits
+   * for. Empty while it serves.
+   */
+  public final Optional<String> unreadiness() {
+    Readiness now = readiness();
+    if (now.serves()) {
+      return Optional.empty();
+    }
+    Optional<String> awaited =
+        now == Readiness.INITIALIZING
+            ? readings.stream().map(LatestReading::awaits).findFirst()
+            : Optional.empty();
+    return awaited.or(lifecycle::why).or(() -> Optional.of(usual(now)));
+  }
+
+  private static String usual(Readiness state) {
+    return switch (state) {
+      case CREATED -> "it has not been started";
+      case INITIALIZING -> "its first data have not come yet";
+      case PAUSED -> "it is paused until it is resumed";
+      case FAILED -> "it has failed; its log says why";
+      default -> "it has ended";
+    };
+  }
+
+  /** A reading that has to come before the module serves. */
+  final void awaits(LatestReading<?> reading) {
+    readings.add(reading);
   }
 
   /**

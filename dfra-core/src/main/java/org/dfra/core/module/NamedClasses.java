@@ -2,16 +2,10 @@ package org.dfra.core.module;
 
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.config.NearestName;
-import org.dfra.core.config.Parameters;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,8 +27,9 @@ public final class NamedClasses {
    * @param kind what it must implement
    * @param base what it must extend
    * @throws ConfigurationException if there is no such class, it is no such driver, or it cannot be
-   *     made of the parameters that are written; a driver reads all of its parameters when it is
-   *     made, so one that it did not ask for is a slip of the pen
+   *     made of the parameters that are written, naming everything that is wrong with these, a line
+   *     each; a driver reads all of its parameters when it is made, so one that it did not ask for
+   *     is treated as a typo
    */
   public ModuleImpl driver(ModuleContext context, Class<?> kind, Class<? extends ModuleImpl> base) {
     return driver(context, kind, base, (parameter, needed) -> {});
@@ -62,40 +57,10 @@ public final class NamedClasses {
               + kind.getName(),
           null);
     }
-    Set<String> asked = ConcurrentHashMap.newKeySet();
-    Parameters.Listener listener =
-        new Parameters.Listener() {
-          @Override
-          public void asked(String name) {
-            asked.add(name);
-          }
-
-          @Override
-          public void needs(String name, Class<?> needed) {
-            needs.accept(name, needed);
-          }
-        };
-    ModuleContext heard = context.with(context.parameters().telling(listener));
-    ModuleImpl driver =
-        (ModuleImpl) construct("driver", type, new Class<?>[] {ModuleContext.class}, heard);
-    requireKnown(context.parameters(), asked);
-    return driver;
-  }
-
-  private void requireKnown(Parameters written, Set<String> asked) {
-    for (Map.Entry<String, Parameters.Value> each : written.all().entrySet()) {
-      if (!asked.contains(each.getKey())) {
-        throw new ConfigurationException(
-            each.getValue().place()
-                + ": "
-                + description.path()
-                + " has no parameter \""
-                + each.getKey()
-                + "\""
-                + NearestName.hint(
-                    each.getKey(), asked, "; it has " + String.join(", ", new TreeSet<>(asked))));
-      }
-    }
+    DriverTrial trial = new DriverTrial(description.path(), context, needs);
+    return trial.construct(
+        given ->
+            (ModuleImpl) construct("driver", type, new Class<?>[] {ModuleContext.class}, given));
   }
 
   /**

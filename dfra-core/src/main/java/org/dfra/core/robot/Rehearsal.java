@@ -2,6 +2,7 @@ package org.dfra.core.robot;
 
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -65,7 +66,24 @@ public final class Rehearsal {
   public static void of(RobotDescription robot) {
     Rehearsal rehearsal = new Rehearsal(robot);
     rehearsal.needs.forEach(rehearsal::requireNamed);
-    rehearsal.judge();
+    judge(rehearsal.faults);
+  }
+
+  /**
+   * The same with several robots.
+   *
+   * @throws ConfigurationException naming everything that is wrong with all of them
+   */
+  public static void of(Collection<RobotDescription> robots) {
+    List<String> all = new ArrayList<>();
+    for (RobotDescription each : robots) {
+      try {
+        of(each);
+      } catch (ConfigurationException e) {
+        all.add(String.valueOf(e.getMessage()));
+      }
+    }
+    judge(all);
   }
 
   /**
@@ -77,10 +95,10 @@ public final class Rehearsal {
     Rehearsal rehearsal = new Rehearsal(robot);
     rehearsal.needs.forEach(rehearsal::requireNamed);
     rehearsal.needs.forEach(rehearsal::requireAny);
-    rehearsal.judge();
+    judge(rehearsal.faults);
   }
 
-  private void judge() {
+  private static void judge(List<String> faults) {
     if (!faults.isEmpty()) {
       throw new ConfigurationException(String.join("\n", faults));
     }

@@ -44,6 +44,15 @@ class LatestReadingTest {
   }
 
   @Test
+  void isWhyItsModuleDoesNotServe() {
+    assertThat(module.unreadiness()).contains("its link is being opened");
+    module.latest.set("20 °C");
+    assertThat(module.unreadiness()).isEmpty();
+    module.latest.lose("its cable was pulled");
+    assertThat(module.unreadiness()).contains("its cable was pulled");
+  }
+
+  @Test
   void servesNoneThatIsTooOldAsTheAgeIsNow() {
     module.latest.set("20 °C");
     ticker.step(Duration.ofMillis(2500));

@@ -275,4 +275,18 @@ class ModuleImplTest {
       throw new AssertionError(e);
     }
   }
+
+  @Test
+  void saysWhyItDoesNotServe() {
+    assertThat(lamp.unreadiness()).contains("it has not been started");
+    lamp.start();
+    assertThat(lamp.unreadiness()).contains("its first data have not come yet");
+    lamp.become(Readiness.FAILED, "its bulb is broken");
+    assertThat(lamp.unreadiness()).contains("its bulb is broken");
+    lamp.move(Readiness.INITIALIZING);
+    lamp.move(Readiness.READY);
+    assertThat(lamp.unreadiness()).isEmpty();
+    lamp.close();
+    assertThat(lamp.unreadiness()).contains("it has ended");
+  }
 }

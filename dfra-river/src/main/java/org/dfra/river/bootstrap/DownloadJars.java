@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 final class DownloadJars {
 
   /** System property with the folder of DFRA's jars; {@code ./dfra} sets it. */
-  private static final String LIB = "dfra.lib";
+  static final String LIB = "dfra.lib";
 
   private DownloadJars() {}
 

@@ -83,7 +83,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Starts the process and waits until it answers.
+   * Starts the process, in a session of its own, and waits until it answers. So neither Ctrl-C in
+   * the terminal of whoever starts it nor the end of that terminal ends the robots.
    *
    * @param patience how long to wait
    * @throws IOException if one answers there already, or if it cannot be started, ends or does not
@@ -157,7 +158,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   private List<String> command() {
-    List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
+    List<String> command = new ArrayList<>(OwnSession.prefix(System.getenv("PATH")));
+    command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add(MAIN);
     String resource = "phoenix.config";

@@ -72,6 +72,7 @@ public final class RobotBootstrap {
       classes.get().check();
     }
     new KnownRobots(phoenix.state()).remember(robot);
+    LaunchedJars.keepFor(phoenix.state()); // before its journal names them
     List<Service> services = new ArrayList<>();
     BootstrapLoader loader = loader();
     // Steps 2 and 3: the registrar, so that the modules find it when they start.
@@ -160,6 +161,7 @@ public final class RobotBootstrap {
                             + group
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
+    LaunchedJars.keepFor(phoenix.state());
     Service service = register(loader, loader.group(home), group, module);
     ServiceStart.of(service, module.place());
     return service;

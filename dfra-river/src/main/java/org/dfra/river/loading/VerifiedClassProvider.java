@@ -90,7 +90,11 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     }
     try {
       return loaders().loader(codebase, context());
+    } catch (CodeRefusedException e) {
+      LoadingFaults.add(e);
+      throw e;
     } catch (IOException e) {
+      LoadingFaults.add(e);
       throw new CodeRefusedException(String.valueOf(e.getMessage()), e);
     }
   }
@@ -129,6 +133,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     try {
       return loaders().loader(codebase, context());
     } catch (CodeRefusedException | IOException e) {
+      LoadingFaults.add(e);
       throw new ClassNotFoundException(what + " was not loaded: " + e.getMessage(), e);
     }
   }

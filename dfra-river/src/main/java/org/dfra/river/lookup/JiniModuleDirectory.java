@@ -29,6 +29,7 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.proxy.LocalModules;
 import org.jspecify.annotations.Nullable;
@@ -62,6 +63,8 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
    * @param groups discovery groups, found by multicast; none if empty
    * @param locators {@code jini://host:port} each, found by unicast
    * @throws IOException if multicast cannot be used or a locator is malformed
+   * @throws IllegalStateException if this virtual machine was started without the boot class path
+   *     that proxies need; the message says with which option to start it
    */
   public JiniModuleDirectory(String host, List<String> groups, List<String> locators)
       throws IOException {
@@ -73,9 +76,12 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
    *
    * @param clock the time that staleness is reckoned by
    * @throws IOException if multicast cannot be used or a locator is malformed
+   * @throws IllegalStateException if this virtual machine was started without the boot class path
+   *     that proxies need; the message says with which option to start it
    */
   public JiniModuleDirectory(DirectorySettings settings, InstantSource clock) throws IOException {
     super(clock);
+    BootClassPath.require();
     this.settings = settings;
     this.clock = clock;
     TrustedCode.installUnlessTaken();
@@ -100,6 +106,14 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     long period = Math.max(1, settings.silence().toMillis() / 4);
     watchdog.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
     discovery.addDiscoveryListener(new Discovered());
+  }
+
+  /**
+   * The modules that lookup services within reach hold, and whose proxies cannot be read here. No
+   * query finds them.
+   */
+  public List<UnreadableModule> unreadable() {
+    return sightings.unreadable();
   }
 
   /** How many lookup services are within reach now. */

@@ -9,6 +9,7 @@ import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -27,6 +28,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import org.dfra.river.entry.ModuleEntry;
+import org.dfra.river.loading.LoadingFaults;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -207,8 +209,14 @@ final class RegistrarWatch implements AutoCloseable {
       lookup(new ServiceTemplate(null, null, new Entry[] {of}), items);
     }
     lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
+    Map<ServiceID, String> faults = new HashMap<>();
+    for (ServiceItem item : items.values()) {
+      if (item.service == null) {
+        fault(item.serviceID).ifPresent(why -> faults.put(item.serviceID, why));
+      }
+    }
     silent = false;
-    sightings.all(id, items.values());
+    sightings.all(id, items.values(), faults);
     complete = System.nanoTime();
     read = true;
     reader.run();
@@ -220,6 +228,15 @@ final class RegistrarWatch implements AutoCloseable {
     for (ServiceItem item : matches.items) {
       items.put(item.serviceID, item);
     }
+  }
+
+  /** Why the proxy of one cannot be read; it is read again for that, by itself. */
+  private Optional<String> fault(ServiceID service) throws RemoteException {
+    ServiceTemplate one = new ServiceTemplate(service, null, null);
+    return LoadingFaults.during(
+        () -> {
+          ServiceMatches unused = call(() -> registrar.lookup(one, 1));
+        });
   }
 
   private void take(ServiceEvent event) throws RemoteException {
@@ -237,7 +254,13 @@ final class RegistrarWatch implements AutoCloseable {
       return;
     }
     @Nullable ServiceItem item = event.getServiceItem();
-    if (item != null) {
+    if (item == null) {
+      return;
+    }
+    Optional<String> fault = item.service == null ? fault(item.serviceID) : Optional.empty();
+    if (fault.isPresent()) {
+      sightings.seen(id, item, fault.get());
+    } else {
       sightings.seen(id, item);
     }
   }

@@ -2,10 +2,12 @@ package org.dfra.river.lookup;
 
 import java.time.Instant;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.function.BiFunction;
@@ -28,9 +30,13 @@ import org.dfra.river.entry.Entries;
  */
 final class Sightings {
 
+  private static final String UNKNOWN =
+      "its proxy cannot be read; look whether it is of another version of DFRA";
+
   private final ModuleTable table;
   private final BiFunction<UUID, List<Attributes>, Locality> locality;
   private final Map<UUID, Set<ServiceID>> holders = new HashMap<>(); // guarded by this
+  private final Map<UUID, UnreadableModule> unreadable = new HashMap<>(); // guarded by this
   private final Set<ServiceID> withinReach = new HashSet<>(); // guarded by this
 
   /**
@@ -43,11 +49,21 @@ final class Sightings {
 
   /** A lookup service tells all that it holds. */
   synchronized void all(ServiceID registrar, Collection<ServiceItem> items) {
+    all(registrar, items, Map.of());
+  }
+
+  /**
+   * The same.
+   *
+   * @param faults why proxies that are missing could not be read
+   */
+  synchronized void all(
+      ServiceID registrar, Collection<ServiceItem> items, Map<ServiceID, String> faults) {
     withinReach.add(registrar);
     Set<UUID> told = new HashSet<>();
     for (ServiceItem item : items) {
       told.add(uuid(item.serviceID));
-      seen(registrar, item);
+      seen(registrar, item, faults.getOrDefault(item.serviceID, UNKNOWN));
     }
     Set.copyOf(holders.keySet()).stream()
         .filter(id -> !told.contains(id) && isHolding(registrar, id))
@@ -60,11 +76,29 @@ final class Sightings {
 
   /** A lookup service within reach holds this, as it is told here. */
   synchronized void seen(ServiceID registrar, ServiceItem item) {
+    seen(registrar, item, UNKNOWN);
+  }
+
+  /**
+   * The same.
+   *
+   * @param fault why its proxy could not be read, where it is missing
+   */
+  synchronized void seen(ServiceID registrar, ServiceItem item, String fault) {
     UUID id = uuid(item.serviceID);
     List<Attributes> attributes = Entries.records(item.attributeSets);
-    if (item.service instanceof Module module
-        && attributes.stream().anyMatch(ModuleAttributes.class::isInstance)) {
+    Optional<ModuleAttributes> own =
+        attributes.stream()
+            .filter(ModuleAttributes.class::isInstance)
+            .map(ModuleAttributes.class::cast)
+            .findFirst();
+    if (item.service instanceof Module module && own.isPresent()) {
+      unreadable.remove(id);
       table.put(id, module, attributes, locality.apply(id, attributes));
+    } else if (item.service == null && own.isPresent()) {
+      ModuleAttributes of = own.get();
+      unreadable.put(
+          id, new UnreadableModule(of.robot(), of.name(), of.host(), id.toString(), fault));
     } else {
       PersonaAttributes robot =
           attributes.stream()
@@ -89,6 +123,7 @@ final class Sightings {
     holding.remove(registrar);
     if (holding.stream().noneMatch(withinReach::contains)) {
       holders.remove(id);
+      unreadable.remove(id);
       table.remove(id);
     }
   }
@@ -105,9 +140,17 @@ final class Sightings {
     holders.forEach(
         (id, holding) -> {
           if (holding.contains(registrar) && holding.stream().noneMatch(withinReach::contains)) {
+            unreadable.remove(id);
             table.stale(id, vouched);
           }
         });
+  }
+
+  /** The modules whose proxies cannot be read here, by path. */
+  synchronized List<UnreadableModule> unreadable() {
+    return unreadable.values().stream()
+        .sorted(Comparator.comparing(UnreadableModule::path))
+        .toList();
   }
 
   static UUID uuid(ServiceID id) {

@@ -117,6 +117,7 @@ final class Tenure implements AutoCloseable {
   /** Begins to look after the lease. */
   synchronized void start() {
     if (!closed) {
+      HeldLeases.add(lease);
       next = scheduler.after(periodNanos, () -> CALLERS.execute(this::look));
     }
   }
@@ -161,6 +162,7 @@ final class Tenure implements AutoCloseable {
       next.cancel();
     }
     Lease last = lease;
+    HeldLeases.remove(last);
     return LeaseReturns.run(CALLERS, () -> giveBack(last));
   }
 
@@ -217,6 +219,8 @@ final class Tenure implements AutoCloseable {
     synchronized (this) {
       tooLate = closed;
       if (!tooLate) {
+        HeldLeases.remove(lease);
+        HeldLeases.add(fresh);
         lease = fresh;
       }
     }
@@ -230,6 +234,7 @@ final class Tenure implements AutoCloseable {
   private synchronized void revoked(LeaseRevokedException e) {
     if (!closed) {
       closed = true;
+      HeldLeases.remove(lease);
       LOG.log(Level.INFO, () -> what + ": ended: " + e.getMessage());
     }
   }

@@ -5,10 +5,12 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Instant;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
 import net.jini.admin.JoinAdmin;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.Idempotent;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What administrators may do to a module while it runs: have it join other lookup services, add
@@ -20,6 +22,15 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
   /** Every lease on the module, the oldest first. */
   @Idempotent
   List<LeaseStatus> leases() throws RemoteException;
+
+  /**
+   * The leases on modules elsewhere that are held in this module's virtual machine, by it or by one
+   * that shares it.
+   *
+   * @return their identities, as the other modules' {@link #leases} have them
+   */
+  @Idempotent
+  Set<UUID> heldLeases() throws RemoteException;
 
   /**
    * Ends a lease before its time, against its holder's will. A holder elsewhere hears of it at its
@@ -36,6 +47,15 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * is done.
    */
   void deactivate() throws RemoteException;
+
+  /**
+   * Why the module does not serve now, as the rest of a sentence: what failed, or what it waits
+   * for.
+   *
+   * @return null while it serves
+   */
+  @Idempotent
+  @Nullable String unreadiness() throws RemoteException;
 
   /**
    * The time by the clock of the module's host, for those who compare clocks.

@@ -10,6 +10,7 @@ import java.rmi.activation.UnknownObjectException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -18,8 +19,9 @@ import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.export.Exporter;
 import net.jini.lookup.entry.ServiceControlled;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.module.ModuleImpl;
 import org.dfra.lease.LeaseStatus;
+import org.dfra.river.proxy.HeldLeases;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -37,7 +39,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
   private final ModulePresence presence;
-  private final LeaseBook leases;
+  private final ModuleImpl module;
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
   private final ModuleServer<?> server;
@@ -45,20 +47,20 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private @Nullable Remote stub; // guarded by this
 
   /**
-   * @param leases the leases on the module
+   * @param module what is served
    * @param id the server's activation ID; null where no activation system made it
    * @param serverExporter the exporter of the server
    * @param server is halted, and closed, where an administrator ends it
    */
   ModuleAdministration(
       ModulePresence presence,
-      LeaseBook leases,
+      ModuleImpl module,
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
       ModuleServer<?> server) {
     this.presence = presence;
-    this.leases = leases;
+    this.module = module;
     this.id = id;
     this.serverExporter = serverExporter;
     this.server = server;
@@ -163,13 +165,23 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   @Override
+  public @Nullable String unreadiness() {
+    return module.unreadiness().orElse(null);
+  }
+
+  @Override
   public List<LeaseStatus> leases() {
-    return leases.leases();
+    return module.leases().leases();
+  }
+
+  @Override
+  public Set<UUID> heldLeases() {
+    return HeldLeases.all();
   }
 
   @Override
   public boolean revoke(UUID lease) {
-    boolean ended = leases.revoke(lease);
+    boolean ended = module.leases().revoke(lease);
     if (ended) {
       LOG.info("An administrator has revoked lease {}.", lease);
     }

@@ -139,8 +139,7 @@ public abstract class ModuleServer<M extends Module>
               configuration);
       undo.push(presence);
       this.administration =
-          new ModuleAdministration(
-              presence, driver.leases(), activation.host(), id, exporter, this);
+          new ModuleAdministration(presence, driver, activation.host(), id, exporter, this);
       undo.push(administration);
       if (id != null) { // elsewhere the process is not this module's
         undo.push(EndOfProcess.ends(this));

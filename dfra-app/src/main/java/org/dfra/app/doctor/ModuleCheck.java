@@ -1,0 +1,93 @@
+package org.dfra.app.doctor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.team.Unready;
+import org.dfra.module.Readiness;
+import org.dfra.river.lookup.UnreadableModule;
+
+/** Which modules cannot be used: they are not ready, or their classes are refused here. */
+final class ModuleCheck implements Check {
+
+  /**
+   * The modules that cannot be used.
+   *
+   * @param unready those that do not serve
+   * @param unreadable those whose proxies cannot be read here
+   */
+  record Unusable(List<Unready> unready, List<UnreadableModule> unreadable) {}
+
+  /** Looks for them. */
+  interface Modules {
+    Unusable unusable() throws InterruptedException;
+  }
+
+  private final Modules modules;
+
+  ModuleCheck(Modules modules) {
+    this.modules = modules;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.MODULE;
+  }
+
+  @Override
+  public List<Finding> examine() throws InterruptedException {
+    Unusable unusable = modules.unusable();
+    List<Finding> findings = new ArrayList<>();
+    for (Unready each : unusable.unready()) {
+      if (each.state() != Readiness.PAUSED) { // that is somebody's will
+        findings.add(of(each));
+      }
+    }
+    for (UnreadableModule each : unusable.unreadable()) {
+      findings.add(
+          Finding.warn(
+              subject(),
+              each.path() + " cannot be used here: " + Reason.what(each.reason()),
+              Reason.mend(
+                  each.reason(),
+                  "Trust its robot's classes; docs/reference/trusted-code.md says how.")));
+    }
+    return findings;
+  }
+
+  private Finding of(Unready module) {
+    String what =
+        module.path()
+            + " is "
+            + module.state().name().toLowerCase(Locale.ROOT)
+            + ": "
+            + Reason.what(module.reason());
+    String mend =
+        Reason.mend(
+            module.reason(),
+            "Look at its device and its link; ./dfra module info "
+                + module.path()
+                + " shows its parameters and its history.");
+    return module.state() == Readiness.FAILED
+        ? Finding.fail(subject(), what, mend)
+        : Finding.warn(subject(), what, mend);
+  }
+
+  /** A sentence that may say after a semicolon what to do. */
+  private static final class Reason {
+
+    static String what(String reason) {
+      int semicolon = reason.lastIndexOf("; ");
+      return semicolon < 0 ? reason : reason.substring(0, semicolon);
+    }
+
+    static String mend(String reason, String otherwise) {
+      int semicolon = reason.lastIndexOf("; ");
+      return semicolon < 0
+          ? otherwise
+          : Character.toUpperCase(reason.charAt(semicolon + 2))
+              + reason.substring(semicolon + 3)
+              + (reason.endsWith("?") ? "" : ".");
+    }
+  }
+}

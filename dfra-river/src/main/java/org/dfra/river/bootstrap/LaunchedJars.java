@@ -1,0 +1,50 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The copy of the build's jars that this process was started from. {@code ./dfra build} removes a
+ * copy only when no process runs from it and no phoenix will start one, after a reboot say. So
+ * whoever has phoenix write the copy's paths into its journal notes that here.
+ */
+final class LaunchedJars {
+
+  /** A folder beside the jars with a file for each state folder whose journal may name them. */
+  private static final String NOTES = "states";
+
+  private LaunchedJars() {}
+
+  /**
+   * Notes that a phoenix with this state starts processes from these jars. Nothing happens where
+   * DFRA is installed, since nothing removes those jars.
+   *
+   * @param state folder of phoenix's journal
+   * @throws IOException if it cannot be written; the copy might be removed too early
+   */
+  static void keepFor(Path state) throws IOException {
+    @Nullable String lib = System.getProperty(DownloadJars.LIB);
+    if (lib != null) {
+      keepFor(state, Path.of(lib).toAbsolutePath());
+    }
+  }
+
+  /**
+   * The same.
+   *
+   * @param lib the folder of the jars
+   */
+  static void keepFor(Path state, Path lib) throws IOException {
+    Path notes = lib.resolveSibling(NOTES);
+    if (!Files.isDirectory(notes)) {
+      return;
+    }
+    String folder = state.toAbsolutePath().normalize().toString();
+    Path note = notes.resolve(Integer.toHexString(folder.hashCode()));
+    if (!Files.exists(note) || !Files.readString(note).strip().equals(folder)) {
+      Files.writeString(note, folder + "\n");
+    }
+  }
+}

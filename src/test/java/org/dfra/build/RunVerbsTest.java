@@ -1,0 +1,265 @@
+package org.dfra.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * {@code ./dfra} runs what was built last and waits for no build, and a build takes nothing from
+ * what runs. The script runs in a folder of its own with a build tool and a Java that only pretend:
+ * the tool makes a jar of the sources' text unless they contain an error or it is held up, Java
+ * prints the jar it was given.
+ */
+@Timeout(120)
+class RunVerbsTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final String OLDER =
+      "dfra: these jars are older than the sources; ./dfra build makes new ones\n";
+  private static final String BUILDING = "dfra: building … (log: target/build.log)\n";
+
+  private static final String BUILD_TOOL =
+      """
+      #!/bin/sh
+      case $1 in
+          -v) echo "Apache Maven 3.9.9"; exit ;;
+          --version) echo "Gradle 8.7"; exit ;;
+      esac
+      echo built >>tools/builds
+      while [ -e tools/hold ]; do sleep 0.05; done
+      ! grep -q error dfra-app/src/main/App.java || { echo "App.java: error"; exit 1; }
+      out=target activation=target
+      [ "$DFRA_BUILD" = maven ] || { out=build; activation=build/libs; }
+      mkdir -p "dfra-app/$out/lib/dl" "dfra-activation/$activation"
+      cp dfra-app/src/main/App.java "dfra-app/$out/lib/dfra-app.jar"
+      echo boot >"dfra-activation/$activation/dfra-activation.jar"
+      """;
+
+  /** Says which jar it was given; {@code up} stays and says it again at its end. */
+  private static final String JAVA =
+      """
+      #!/bin/sh
+      for each in "$@"; do
+          case $each in
+              -Ddfra.lib=*) lib=${each#-Ddfra.lib=} ;;
+              -Xbootclasspath/a:*) boot=${each#-Xbootclasspath/a:} ;;
+              up) up=true ;;
+          esac
+      done
+      [ -f "$boot" ] || { echo "no boot jar"; exit 9; }
+      echo "runs $(cat "$lib/dfra-app.jar")"
+      if [ "${up:-}" ]; then
+          while [ ! -e "$HOME/end" ]; do sleep 0.05; done
+          echo "still $(cat "$lib/dfra-app.jar")"
+      fi
+      """;
+
+  @TempDir Path folder;
+  private Path source;
+  private Path tools;
+  private Path jars;
+  private String tool = "maven";
+  private final List<Process> started = new ArrayList<>();
+
+  @BeforeEach
+  void prepare() throws IOException {
+    Path libexec = Files.createDirectories(folder.resolve("src/dist/libexec"));
+    Path root = Repository.root();
+    Files.copy(root.resolve("dfra"), folder.resolve("dfra"));
+    Files.copy(root.resolve("src/dist/libexec/java.sh"), libexec.resolve("java.sh"));
+    Files.writeString(folder.resolve("pom.xml"), "<project/>");
+    source = Files.createDirectories(folder.resolve("dfra-app/src/main")).resolve("App.java");
+    Files.writeString(source, "version 1\n");
+    tools = Files.createDirectory(folder.resolve("tools"));
+    for (String name : List.of("mvn", "gradle")) {
+      program(tools.resolve(name), BUILD_TOOL);
+    }
+    Path jdk = Files.createDirectories(folder.resolve("jdk/bin"));
+    program(jdk.resolve("java"), JAVA);
+    program(jdk.resolve("javac"), JAVA);
+    Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"17.0.1\"\n");
+    jars = folder.resolve("target/jars");
+  }
+
+  private static void program(Path file, String text) throws IOException {
+    Files.writeString(file, text);
+    assertThat(file.toFile().setExecutable(true)).isTrue();
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    Files.deleteIfExists(tools.resolve("hold"));
+    Files.writeString(folder.resolve("end"), "");
+    started.forEach(each -> assertThat(ended(each)).isTrue());
+  }
+
+  private static boolean ended(Process process) {
+    try {
+      return process.waitFor(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private Process start(String... words) throws IOException {
+    List<String> command = new ArrayList<>(List.of("sh", folder.resolve("dfra").toString()));
+    command.addAll(List.of(words));
+    Path said = Files.createTempFile(folder, "said", ".txt");
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(said.toFile());
+    Map<String, String> environment = builder.environment();
+    environment.merge("PATH", tools + ":", (old, first) -> first + old);
+    environment.put("JAVA_HOME", folder.resolve("jdk").toString());
+    environment.put("HOME", folder.toString());
+    environment.put("DFRA_BUILD", tool);
+    Process script = builder.start();
+    script.getOutputStream().close();
+    started.add(script);
+    said(script, said);
+    return script;
+  }
+
+  private final Map<Process, Path> said = new java.util.HashMap<>();
+
+  private void said(Process script, Path file) {
+    said.put(script, file);
+  }
+
+  private String said(Process script) throws IOException {
+    return Files.readString(said.get(script));
+  }
+
+  /** What {@code ./dfra} says to these words; it has to end by itself. */
+  private String dfra(String... words) throws IOException {
+    Process script = start(words);
+    assertThat(ended(script)).as("./dfra %s has ended", List.of(words)).isTrue();
+    return said(script);
+  }
+
+  private int builds() throws IOException {
+    Path count = tools.resolve("builds");
+    return Files.exists(count) ? Files.readAllLines(count).size() : 0;
+  }
+
+  private List<Path> copies() throws IOException {
+    try (Stream<Path> all = Files.list(jars)) {
+      return all.filter(each -> !Files.isSymbolicLink(each)).sorted().toList();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"maven", "gradle"})
+  void buildsAtTheFirstStartAndNeverAgainByItself(String with) throws Exception {
+    tool = with;
+    String log = "dfra: building … (log: " + (with.equals("maven") ? "target" : "build");
+    assertThat(dfra("status")).isEqualTo(log + "/build.log)\nruns version 1\n");
+    assertThat(dfra("status")).isEqualTo("runs version 1\n");
+    Files.writeString(source, "version 2\n");
+    assertThat(dfra("status")).isEqualTo(OLDER + "runs version 1\n");
+    assertThat(builds()).isOne();
+    assertThat(dfra("build")).isEqualTo(log + "/build.log)\n");
+    assertThat(dfra("status")).isEqualTo("runs version 2\n");
+    assertThat(dfra("build"))
+        .isEqualTo("dfra: the jars are as new as the sources; nothing is built\n");
+    assertThat(builds()).isEqualTo(2);
+  }
+
+  @Test
+  void stopsWithAnErrorInTheSourcesAndSaysTheirAgeAfterwards() throws Exception {
+    dfra("build");
+    Files.writeString(source, "an error\n");
+    Process build = start("build");
+    assertThat(ended(build)).isTrue();
+    assertThat(build.exitValue()).isEqualTo(1);
+    assertThat(said(build)).contains("dfra: the build failed; the whole log is ");
+    assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
+    assertThat(builds()).isEqualTo(2);
+  }
+
+  @Test
+  void stopsWhileAnotherBuilds() throws Exception {
+    dfra("build");
+    Files.writeString(source, "version 2\n");
+    Files.createFile(tools.resolve("hold"));
+    Process build = start("build");
+    await().atMost(PATIENCE).until(() -> builds() == 2);
+    assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
+    assertThat(dfra("status")).isEqualTo(OLDER + "runs version 1\n");
+    assertThat(build.isAlive()).as("the build is held up").isTrue();
+    Files.delete(tools.resolve("hold"));
+    assertThat(ended(build)).isTrue();
+    assertThat(said(build)).isEqualTo(BUILDING);
+    assertThat(dfra("status")).isEqualTo("runs version 2\n");
+  }
+
+  @Test
+  void stopsWhereNothingCanBeBuilt() throws Exception {
+    dfra("build");
+    Files.writeString(source, "version 2\n");
+    Files.delete(folder.resolve("jdk/bin/javac"));
+    Files.delete(tools.resolve("mvn"));
+    assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
+  }
+
+  @Test
+  void leavesWhatRunsItsJarsHoweverOftenIsBuilt() throws Exception {
+    dfra("build");
+    Process robot = start("up");
+    await().atMost(PATIENCE).until(() -> said(robot).equals("runs version 1\n"));
+    for (int version = 2; version <= 4; version++) {
+      Files.writeString(source, "version " + version + "\n");
+      dfra("build");
+    }
+    assertThat(copies()).as("that of the robot, the last and the one before").hasSize(3);
+    Files.createFile(folder.resolve("end"));
+    assertThat(ended(robot)).isTrue();
+    assertThat(said(robot)).isEqualTo("runs version 1\nstill version 1\n");
+
+    Files.writeString(source, "version 5\n");
+    dfra("build");
+    assertThat(copies()).as("the last and the one before").hasSize(2);
+    assertThat(dfra("status")).isEqualTo("runs version 5\n");
+  }
+
+  @Test
+  void keepsJarsThatAPhoenixMayStartAfterAReboot() throws Exception {
+    dfra("build");
+    Path first = copies().get(0);
+    Path journal = Files.createDirectories(folder.resolve("state/journal"));
+    Path log = Files.writeString(journal.resolve("log"), "\0\5-cp\0" + first + "/lib/a.jar\1");
+    Files.writeString(first.resolve("states/1"), journal.getParent() + "\n");
+    for (int version = 2; version <= 3; version++) {
+      Files.writeString(source, "version " + version + "\n");
+      dfra("build");
+    }
+    assertThat(copies()).as("the journal names the first").hasSize(3).contains(first);
+    Files.writeString(log, "nothing");
+    Files.writeString(source, "version 4\n");
+    dfra("build");
+    assertThat(copies()).hasSize(2).doesNotContain(first);
+  }
+
+  @Test
+  void clearsAwayWhatAKilledBuildHasLeft() throws Exception {
+    Files.createDirectories(jars.resolve("new.1/lib"));
+    Files.createSymbolicLink(jars.resolve("new.current"), Path.of("new.1"));
+    assertThat(dfra("status")).isEqualTo(BUILDING + "runs version 1\n");
+    assertThat(copies()).hasSize(1);
+  }
+}
