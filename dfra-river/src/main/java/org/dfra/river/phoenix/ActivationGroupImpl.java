@@ -55,6 +55,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
   private final transient Duration unexportTimeout;
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
+  private final transient ReadinessReports readiness = new ReadinessReports();
 
   /** Held only for a moment, never while an object is made or anybody is called. */
   private final transient Object gate = new Object();
@@ -114,7 +115,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
-          make(slot, object, desc);
+          readiness.made(object, make(slot, object, desc));
         }
         return Objects.requireNonNull(slot.proxy);
       }
@@ -138,7 +139,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
     }
   }
 
-  private static void make(Slot slot, ActivationID object, ActivationDesc desc)
+  private static Remote make(Slot slot, ActivationID object, ActivationDesc desc)
       throws ActivationException {
     long began = System.nanoTime();
     Thread thread = Thread.currentThread();
@@ -155,6 +156,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
       slot.proxy = new MarshalledObject<>(proxyOf(made));
       slot.object = made;
       LOG.info("Made {} in {} ms.", made, TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began));
+      return made;
     } catch (InvocationTargetException e) {
       throw failure(desc, "its constructor failed", Objects.requireNonNull(e.getCause()));
     } catch (NoSuchMethodException e) {
@@ -233,6 +235,7 @@ public final class ActivationGroupImpl extends ActivationGroup {
       // Whoever knows of it: nobody can call it any more, so its proxy must not be given out.
       slot.object = null;
       slot.proxy = null;
+      readiness.inactive(object);
     }
     leaveIfEmpty();
     if (failed instanceof RemoteException remote) {
