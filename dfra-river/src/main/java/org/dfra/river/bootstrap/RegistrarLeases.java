@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
  * back by an hour, or reggie reads back what it wrote when the clock was wrong, whoever died is
  * listed for that hour. No lease can have more left than the longest that reggie grants, so one
  * that has is cut to that: its holder renews it, or it ends in time. A clock that is set forward
- * needs nothing: reggie drops what it holds, and each holder hears that with its next renewal and
+ * needs nothing: reggie drops what it holds, and each holder learns that from its next renewal and
  * registers anew.
  *
  * <p>Reggie 2.2.2 offers no way to do this, so its fields are used, under its own lock.

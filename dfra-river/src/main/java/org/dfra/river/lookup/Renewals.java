@@ -32,8 +32,8 @@ import org.slf4j.LoggerFactory;
  * <p>River's own manager renews when the computer's clock says so. Set back by an hour, it renews
  * an hour late, and the lookup service has dropped the module long before. Here a lease is a span
  * of monotonic time that begins when it is granted: it is renewed when a third of it is over. A
- * lookup service that knows it no longer is told of the module anew at once, which is the join
- * manager's part.
+ * lookup service that does not know it any more gets a new registration at once, by the join
+ * manager.
  *
  * <p>Threads: calls are made by daemons, {@code dfra-registration-n}, that exist while a call is
  * under way, so a silent lookup service delays no renewal at another one.

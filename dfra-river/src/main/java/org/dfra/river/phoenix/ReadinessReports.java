@@ -73,7 +73,7 @@ final class ReadinessReports {
         monitor.ready(id, GroupVm.incarnation());
       }
     } catch (RemoteException e) {
-      LOG.debug("Phoenix does not hear that an object is ready; it is told again.", e);
+      LOG.debug("The readiness of an object could not be reported; trying again.", e);
       return false;
     } catch (ActivationException e) {
       LOG.debug("An object that is ready is not registered any more.", e);

@@ -60,7 +60,7 @@ class RenewalsTest {
   }
 
   @Test
-  void whoForgotItIsToldOfAtOnceSoThatTheModuleIsRegisteredAnew() throws Exception {
+  void aLeaseThatIsUnknownIsReportedAtOnceSoThatTheModuleIsRegisteredAnew() throws Exception {
     begin();
     lease.forget();
     time.pass(Duration.ofSeconds(10));
