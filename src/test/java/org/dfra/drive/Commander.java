@@ -21,7 +21,7 @@ import org.dfra.testing.TalkingProcess;
  * Drives a robot straight on, twenty commands a second, until it is closed or killed; in the test's
  * virtual machine or as a process of its own.
  */
-final class Commander implements AutoCloseable {
+public final class Commander implements AutoCloseable {
 
   private static final long PERIOD_MILLIS = 50;
 
@@ -31,7 +31,7 @@ final class Commander implements AutoCloseable {
   private final ScheduledFuture<?> driving;
 
   /** Takes command, releases the brake and drives. */
-  Commander(DriveEffector drive, Duration duration, Velocity velocity) throws Exception {
+  public Commander(DriveEffector drive, Duration duration, Velocity velocity) throws Exception {
     this.drive = drive;
     this.lease = drive.command(duration);
     drive.obey(lease.key(), new Brake(false));
@@ -48,7 +48,7 @@ final class Commander implements AutoCloseable {
     }
   }
 
-  CommandLease lease() {
+  public CommandLease lease() {
     return lease;
   }
 

@@ -27,7 +27,7 @@ import org.dfra.testing.TalkingProcess;
  * The robot eta: emulated wheels, a phoenix of its own, a registrar, and the group {@code wheels}
  * with the modules that a test wants. Its drive is ready.
  */
-final class WheeledRobot implements AutoCloseable {
+public final class WheeledRobot implements AutoCloseable {
 
   static final String HOST = "127.0.0.1";
 
@@ -70,7 +70,7 @@ final class WheeledRobot implements AutoCloseable {
    * @param folder of this test alone
    * @param modules of the controller: {@code drive}, and {@code odometry}, {@code battery}
    */
-  static WheeledRobot start(Path folder, String... modules) throws Exception {
+  public static WheeledRobot start(Path folder, String... modules) throws Exception {
     Deque<AutoCloseable> open = new ArrayDeque<>();
     try {
       return new WheeledRobot(open, folder, modules);
@@ -92,13 +92,13 @@ final class WheeledRobot implements AutoCloseable {
   private static String described(int port, String link, String... modules) {
     String properties = System.getProperty("dfra.root") + "/config/modules/rflex-%s.properties";
     return """
-        <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
-          <group name="lookup"><registrar port="%d"/></group>
-          <group name="wheels">
-        %s
-          </group>
-        </robot>
-        """
+    <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
+      <group name="lookup"><registrar port="%d"/></group>
+      <group name="wheels">
+    %s
+      </group>
+    </robot>
+    """
         .formatted(
             port,
             Arrays.stream(modules)
@@ -113,11 +113,11 @@ final class WheeledRobot implements AutoCloseable {
                 .collect(Collectors.joining()));
   }
 
-  Wheels wheels() {
+  public Wheels wheels() {
     return wheels;
   }
 
-  LivingPhoenix phoenix() {
+  public LivingPhoenix phoenix() {
     return phoenix;
   }
 
@@ -125,7 +125,7 @@ final class WheeledRobot implements AutoCloseable {
     return directory;
   }
 
-  DriveEffector drive() {
+  public DriveEffector drive() {
     return drive;
   }
 
@@ -139,7 +139,7 @@ final class WheeledRobot implements AutoCloseable {
     return xml;
   }
 
-  void awaitFullSpeed() {
+  public void awaitFullSpeed() {
     await().atMost(PATIENCE).until(() -> wheels.speed() > 0.9);
   }
 

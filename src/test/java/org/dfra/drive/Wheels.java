@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * own: when a command came to it, and since when the wheels stand by the laws of motion, whenever
  * anybody looks.
  */
-final class Wheels implements AutoCloseable {
+public final class Wheels implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final InstantSource CLOCK = InstantSource.system();
@@ -37,7 +37,7 @@ final class Wheels implements AutoCloseable {
   }
 
   /** Metres per second. */
-  double speed() {
+  public double speed() {
     return body.travel(CLOCK.instant()).speed();
   }
 
@@ -52,7 +52,7 @@ final class Wheels implements AutoCloseable {
   }
 
   /** Waits until nobody has commanded for a second and the wheels stand. */
-  void assertTheyStoodWithinHalfASecondOfTheLastCommand() {
+  public void assertTheyStoodWithinHalfASecondOfTheLastCommand() {
     await()
         .atMost(PATIENCE)
         .until(

@@ -67,7 +67,25 @@ final class FolderState implements StateStore {
             StandardOpenOption.CREATE,
             StandardOpenOption.READ,
             StandardOpenOption.WRITE)) {
-      return new Mapped(channel.map(FileChannel.MapMode.READ_WRITE, 0, (long) count * Long.BYTES));
+      int size = count * Long.BYTES;
+      allocate(channel, size);
+      return new Mapped(channel.map(FileChannel.MapMode.READ_WRITE, 0, size));
+    }
+  }
+
+  /**
+   * Writes what the file holds once, so that the disk has room for all of it. Where it has not,
+   * that is an exception here. With a hole in the file it would be an {@link InternalError}, at any
+   * time after the first store into the hole, in whatever the thread does then.
+   */
+  private static void allocate(FileChannel channel, int size) throws IOException {
+    ByteBuffer content = ByteBuffer.allocate(size);
+    while (content.hasRemaining() && channel.read(content, content.position()) > 0) {
+      // a short read goes on
+    }
+    content.clear(); // what was not there is zero
+    while (content.hasRemaining()) {
+      int unused = channel.write(content, content.position());
     }
   }
 

@@ -1,8 +1,11 @@
 package org.dfra.core.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,6 +47,52 @@ class FolderStateTest {
     assertThat(child.exitValue()).as("killed, not ended").isNotZero();
     Counters counters = StateStore.in(folder).counters("events", 2);
     assertThat(List.of(counters.get(0), counters.get(1))).containsExactly(1_000_000L, -7L);
+  }
+
+  /** On a full disk a mapped file's page that is not there yet is an error of the JVM's own. */
+  @Test
+  void countersOnAFullDiskAreRefusedAndNoError() throws Exception {
+    Path disk = Files.createDirectory(folder.resolve("disk"));
+    assumeThat(run("mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk.toString()))
+        .as("mounting a small tmpfs needs root")
+        .isZero();
+    try {
+      StateStore state = StateStore.in(Files.createDirectory(disk.resolve("module")));
+      fill(disk.resolve("rest"));
+      assertThatIOException()
+          .isThrownBy(() -> state.counters("events", 2))
+          .withMessageContaining("No space left on device");
+      Files.delete(disk.resolve("rest"));
+      Counters counters = state.counters("events", 2);
+      fill(disk.resolve("rest"));
+      counters.set(1, 7);
+      counters.force();
+      assertThat(StateStore.in(disk.resolve("module")).counters("events", 2).get(1)).isEqualTo(7);
+    } finally {
+      run("umount", "-l", disk.toString());
+    }
+  }
+
+  private static void fill(Path file) throws IOException {
+    try (OutputStream out = Files.newOutputStream(file)) {
+      while (true) {
+        out.write(new byte[512]);
+      }
+    } catch (IOException e) {
+      assertThat(e).hasMessageContaining("No space");
+    }
+  }
+
+  private static int run(String... command) throws Exception {
+    try {
+      return new ProcessBuilder(command)
+          .redirectErrorStream(true)
+          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .start()
+          .waitFor();
+    } catch (IOException e) {
+      return -1; // no such command
+    }
   }
 
   /** Counts and is dead in the next moment, without any chance to tidy up. */

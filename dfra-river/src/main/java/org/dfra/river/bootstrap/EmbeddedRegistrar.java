@@ -78,8 +78,9 @@ public final class EmbeddedRegistrar implements AutoCloseable {
                 () -> groups.toArray(String[]::new),
                 COMPONENT + "serverExporter",
                 () ->
-                    new BasicJeriExporter(
-                        Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true),
+                    new RegistrarExporter(
+                        new BasicJeriExporter(
+                            Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true)),
                 COMPONENT + "serverSocketFactory",
                 () -> new DiscoverySockets(host),
                 COMPONENT + "unicastDiscoveryHost",

@@ -11,6 +11,7 @@ import net.jini.config.ConfigurationException;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
 import net.jini.lookup.JoinManager;
+import org.dfra.time.Scheduler;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
@@ -58,7 +59,7 @@ public final class Join implements AutoCloseable {
             Map.of("net.jini.lookup.JoinManager.taskManager", () -> threads));
     Discovery discovery = Discovery.begin(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
-      Renewals renewals = new Renewals(timed);
+      Renewals renewals = new Renewals(Scheduler.system());
       JoinManager manager =
           new JoinManager(
               proxy,

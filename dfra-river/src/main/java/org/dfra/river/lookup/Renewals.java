@@ -1,14 +1,25 @@
 package org.dfra.river.lookup;
 
+import com.sun.jini.constants.ThrowableConstants;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
-import net.jini.config.Configuration;
-import net.jini.config.ConfigurationException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.lease.Lease;
+import net.jini.core.lease.LeaseException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.lease.LeaseListener;
+import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.Task;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -18,30 +29,166 @@ import org.slf4j.LoggerFactory;
  * <p>River's join manager has a registration renewed whether or not it was terminated while the
  * lookup service answered. The module would be found, and not be there, for as long as its virtual
  * machine runs.
+ *
+ * <p>River's own manager renews when the computer's clock says so. Set back by an hour, it renews
+ * an hour late, and the lookup service has dropped the module long before. Here a lease is a span
+ * of monotonic time that begins when it is granted: it is renewed when a third of it is over. A
+ * lookup service that does not know it any more gets a new registration at once, by the join
+ * manager.
+ *
+ * <p>Threads: calls are made by daemons, {@code dfra-registration-n}, that exist while a call is
+ * under way, so a silent lookup service delays no renewal at another one.
  */
 final class Renewals extends LeaseRenewalManager implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Renewals.class);
 
   private final Cancellations cancellations = new Cancellations();
+
+  /** How long to wait at most before a renewal that failed is tried again. */
+  private static final long LONGEST_WAIT = RobotPace.LONGEST_WAIT.toNanos();
+
+  private static final long SHORTEST_WAIT = TimeUnit.MILLISECONDS.toNanos(50);
+
+  private static final AtomicInteger NAMES = new AtomicInteger();
+  private static final ThreadPoolExecutor CALLERS =
+      new ThreadPoolExecutor(
+          0,
+          Integer.MAX_VALUE,
+          10,
+          TimeUnit.SECONDS,
+          new SynchronousQueue<>(),
+          task -> {
+            Thread thread = new Thread(task, "dfra-registration-" + NAMES.incrementAndGet());
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  private final Scheduler time;
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
   private final Object lock = new Object();
+  private final Map<Lease, Renewal> renewals = new HashMap<>(); // guarded by lock
   private boolean closed; // guarded by lock
 
-  Renewals(Configuration configuration) throws ConfigurationException {
-    super(configuration);
+  Renewals(Scheduler time) {
+    this.time = time;
   }
 
-  @Override
-  public void renewUntil(Lease lease, long expiration, LeaseListener listener) {
-    if (!renewing(() -> super.renewUntil(lease, expiration, listener))) {
-      cancelLate(lease);
+  /** A lease that is renewed. */
+  private static final class Renewal {
+    final Lease lease;
+    final long duration;
+    final @Nullable LeaseListener listener;
+    long end; // guarded by lock
+    @Nullable Task next; // guarded by lock
+
+    Renewal(Lease lease, long duration, @Nullable LeaseListener listener) {
+      this.lease = lease;
+      this.duration = duration;
+      this.listener = listener;
     }
   }
 
   @Override
-  public void renewUntil(Lease lease, long expiration, long duration, LeaseListener listener) {
-    if (!renewing(() -> super.renewUntil(lease, expiration, duration, listener))) {
-      cancelLate(lease);
+  public void renewUntil(Lease lease, long expiration, LeaseListener listener) {
+    renewUntil(lease, expiration, RobotPace.LEASE.toMillis(), listener);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @param expiration not taken into account: registrations are renewed until they are cancelled
+   */
+  @Override
+  public void renewUntil(
+      Lease lease, long expiration, long duration, @Nullable LeaseListener listener) {
+    Renewal renewal = new Renewal(lease, duration, listener);
+    synchronized (lock) {
+      if (!closed) {
+        renewals.put(lease, renewal);
+        extend(renewal, time.nanos());
+        return;
+      }
+    }
+    cancelLate(lease);
+  }
+
+  /** A lease was granted or renewed, no earlier than {@code begun}. */
+  private void extend(Renewal renewal, long begun) {
+    long granted = renewal.lease.getExpiration() - System.currentTimeMillis();
+    // A clock that is set in this very moment makes it look longer, or over: no matter.
+    long nanos = TimeUnit.MILLISECONDS.toNanos(Math.min(granted, renewal.duration));
+    renewal.end = begun + nanos;
+    after(nanos / 3, renewal);
+  }
+
+  private void after(long nanos, Renewal renewal) {
+    renewal.next = time.after(Math.max(SHORTEST_WAIT, nanos), () -> send(renewal));
+  }
+
+  private void send(Renewal renewal) {
+    try {
+      CALLERS.execute(() -> renew(renewal));
+    } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
+      LOG.warn("A registration cannot be renewed now and is tried again: {}", e.toString());
+      synchronized (lock) {
+        after(LONGEST_WAIT, renewal);
+      }
+    }
+  }
+
+  private void renew(Renewal renewal) {
+    synchronized (lock) {
+      if (renewals.get(renewal.lease) != renewal) {
+        return; // removed meanwhile
+      }
+    }
+    Thread.currentThread().setContextClassLoader(loader);
+    long begun = time.nanos();
+    try {
+      renewal.lease.renew(renewal.duration);
+      synchronized (lock) {
+        if (renewals.get(renewal.lease) == renewal) {
+          extend(renewal, begun);
+        }
+      }
+    } catch (LeaseException | RemoteException | RuntimeException e) {
+      failed(renewal, e);
+    } finally {
+      Thread.currentThread().setContextClassLoader(null);
+    }
+  }
+
+  private void failed(Renewal renewal, Exception e) {
+    synchronized (lock) {
+      if (renewals.get(renewal.lease) != renewal) {
+        return;
+      }
+      long left = renewal.end - time.nanos();
+      boolean mayPass = ThrowableConstants.retryable(e) == ThrowableConstants.INDEFINITE;
+      if (mayPass && !(e instanceof LeaseException) && left > 0) {
+        LOG.debug("A registration could not be renewed and is tried again.", e);
+        after(Math.min(LONGEST_WAIT, left / 3), renewal);
+        return;
+      }
+      renewals.remove(renewal.lease);
+    }
+    if (renewal.listener != null) {
+      renewal.listener.notify(
+          new LeaseRenewalEvent(this, renewal.lease, renewal.lease.getExpiration(), e));
+    }
+  }
+
+  @Override
+  public void remove(Lease lease) throws UnknownLeaseException {
+    synchronized (lock) {
+      Renewal renewal = renewals.remove(lease);
+      if (renewal == null) {
+        throw new UnknownLeaseException("this lease is not renewed here");
+      }
+      if (renewal.next != null) {
+        renewal.next.cancel();
+      }
     }
   }
 
@@ -65,13 +212,14 @@ final class Renewals extends LeaseRenewalManager implements AutoCloseable {
     cancellations.await(patience);
   }
 
-  /** Whether the renewal could begin. What begins before the close is known to who closes. */
-  private boolean renewing(Runnable begin) {
+  @Override
+  public void clear() {
     synchronized (lock) {
-      if (!closed) {
-        begin.run();
-      }
-      return !closed;
+      renewals.values().stream()
+          .map(each -> each.next)
+          .filter(next -> next != null)
+          .forEach(Task::cancel);
+      renewals.clear();
     }
   }
 

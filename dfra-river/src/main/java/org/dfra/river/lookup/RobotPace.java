@@ -7,6 +7,7 @@ import java.lang.reflect.Method;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,8 @@ import net.jini.core.constraint.ConnectionAbsoluteTime;
 import net.jini.core.constraint.InvocationConstraint;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The pace at which lookup services are looked for and registrations are renewed.
@@ -41,9 +44,10 @@ final class RobotPace {
     return new SuppliedConfiguration(
         own,
         Map.of(
-            "net.jini.lookup.JoinManager.wakeupManager", Impatient::new,
-            "net.jini.lookup.JoinManager.maxLeaseDuration", LEASE::toMillis,
-            "net.jini.lease.LeaseRenewalManager.roundTripTime", PATIENCE::toMillis));
+            "net.jini.lookup.JoinManager.wakeupManager",
+            () -> new Impatient(Scheduler.system()),
+            "net.jini.lookup.JoinManager.maxLeaseDuration",
+            LEASE::toMillis));
   }
 
   /** Constraints of a locator: a try that has begun ends soon. */
@@ -51,23 +55,76 @@ final class RobotPace {
     return new SoonEnded();
   }
 
-  /** Wakes nobody later than in {@link #LONGEST_WAIT}. */
-  private static final class Impatient extends WakeupManager {
+  /**
+   * Wakes nobody later than in {@link #LONGEST_WAIT}. Its callers reckon by the computer's clock,
+   * but the wait itself is monotonic: where that clock is set back nobody waits longer for it.
+   */
+  static final class Impatient extends WakeupManager {
 
-    Impatient() {
+    private final Scheduler time;
+    private final Map<Ticket, Scheduler.Task> pending = new HashMap<>(); // guarded by itself
+
+    Impatient(Scheduler time) {
       super(new ThreadDesc(null, true));
-    }
-
-    @Override
-    public Ticket schedule(long when, Runnable task, ThreadDesc thread) {
-      long latest = System.currentTimeMillis() + LONGEST_WAIT.toMillis();
-      return super.schedule(Math.min(when, latest), task, thread);
+      this.time = time;
     }
 
     @Override
     public Ticket schedule(long when, Runnable task) {
-      long latest = System.currentTimeMillis() + LONGEST_WAIT.toMillis();
-      return super.schedule(Math.min(when, latest), task);
+      return schedule(when, task, null);
+    }
+
+    /**
+     * {@inheritDoc} River's tasks for it only hand on work, so they need no thread of their own.
+     */
+    @Override
+    public Ticket schedule(long when, Runnable task, @Nullable ThreadDesc thread) {
+      long millis = Math.min(when - System.currentTimeMillis(), LONGEST_WAIT.toMillis());
+      synchronized (pending) {
+        Ticket ticket = newTicket(when, task, thread);
+        pending.put(ticket, time.after(millis * 1_000_000, () -> run(ticket)));
+        return ticket;
+      }
+    }
+
+    private void run(Ticket ticket) {
+      synchronized (pending) {
+        if (pending.remove(ticket) == null) {
+          return; // cancelled
+        }
+      }
+      ticket.task.run();
+    }
+
+    @Override
+    public void cancel(Ticket ticket) {
+      synchronized (pending) {
+        Scheduler.Task task = pending.remove(ticket);
+        if (task != null) {
+          task.cancel();
+        }
+      }
+    }
+
+    @Override
+    public void cancelAll() {
+      synchronized (pending) {
+        pending.values().forEach(Scheduler.Task::cancel);
+        pending.clear();
+      }
+    }
+
+    @Override
+    public boolean isEmpty() {
+      synchronized (pending) {
+        return pending.isEmpty();
+      }
+    }
+
+    @Override
+    public void stop() {
+      cancelAll();
+      super.stop();
     }
   }
 

@@ -10,6 +10,7 @@ import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.server.UID;
+import java.util.OptionalLong;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.river.phoenix.Group.Maker;
 import org.jspecify.annotations.Nullable;
@@ -27,9 +28,13 @@ final class ActivatableObject {
   private final ReentrantLock lock = new ReentrantLock();
   private volatile ActivationDesc desc;
   private volatile @Nullable Known known;
+  private volatile @Nullable Ready ready;
 
   /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
   private record Known(MarshalledObject<? extends Remote> proxy, long incarnation) {}
+
+  /** Since when it is ready in an incarnation of its group. */
+  private record Ready(long incarnation, long nanos) {}
 
   ActivatableObject(UID uid, Group group, ActivationDesc desc) {
     this.uid = uid;
@@ -80,7 +85,9 @@ final class ActivatableObject {
         group.unusable(maker, false);
         last = e;
       } catch (ConnectException | ConnectIOException e) {
-        group.unusable(maker, true);
+        if (isRefused(e)) {
+          group.unusable(maker, true);
+        }
         last = e;
       } catch (RemoteException e) {
         last = e;
@@ -98,6 +105,20 @@ final class ActivatableObject {
         last);
   }
 
+  /**
+   * Whether nobody listens where the group's process said that it would: only its computer can say
+   * that. What else keeps a connection from being made may be wrong here, such as too many open
+   * files, and proves nothing of the process.
+   */
+  private static boolean isRefused(Exception failure) {
+    for (@Nullable Throwable each = failure; each != null; each = each.getCause()) {
+      if (each instanceof java.net.ConnectException) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   private @Nullable MarshalledObject<? extends Remote> knownProxy() {
     @Nullable Known now = known;
     return now != null && group.isActive(now.incarnation()) ? now.proxy() : null;
@@ -111,6 +132,19 @@ final class ActivatableObject {
   /** The object's group says that it is not active any more. */
   void inactive() {
     known = null;
+  }
+
+  /** It is ready, in an incarnation of its group, since a monotonic time in nanoseconds. */
+  void ready(long incarnation, long nanos) {
+    ready = new Ready(incarnation, nanos);
+  }
+
+  /** Since when it is ready in an incarnation of its group; nothing where it never was. */
+  OptionalLong readySince(long incarnation) {
+    @Nullable Ready now = ready;
+    return now != null && now.incarnation() == incarnation
+        ? OptionalLong.of(now.nanos())
+        : OptionalLong.empty();
   }
 
   /** Whether its proxy is known and its group works. */

@@ -56,6 +56,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private final transient Duration unexportTimeout;
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
+  private final transient ReadinessReports readiness = new ReadinessReports();
 
   /** Held only for a moment, never while an object is made or anybody is called. */
   private final transient Object gate = new Object();
@@ -115,7 +116,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
-          make(slot, object, desc);
+          readiness.made(object, make(slot, object, desc));
         }
         return Objects.requireNonNull(slot.proxy);
       }
@@ -139,7 +140,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     }
   }
 
-  private static void make(Slot slot, ActivationID object, ActivationDesc desc)
+  private static Remote make(Slot slot, ActivationID object, ActivationDesc desc)
       throws ActivationException {
     long began = System.nanoTime();
     Thread thread = Thread.currentThread();
@@ -156,6 +157,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       slot.proxy = new MarshalledObject<>(proxyOf(made));
       slot.object = made;
       LOG.info("Made {} in {} ms.", made, TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began));
+      return made;
     } catch (InvocationTargetException e) {
       throw failure(desc, "its constructor failed", Objects.requireNonNull(e.getCause()));
     } catch (NoSuchMethodException e) {
@@ -234,6 +236,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       // Whoever knows of it: nobody can call it any more, so its proxy must not be given out.
       slot.object = null;
       slot.proxy = null;
+      readiness.inactive(object);
     }
     leaveIfEmpty();
     if (failed instanceof RemoteException remote) {

@@ -1,59 +1,83 @@
 package org.dfra.river.phoenix;
 
 import java.time.Duration;
-import java.time.Instant;
-import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
-/** The crashes of one group, and what the policy makes of them. Confined to the group's lock. */
+/**
+ * The crashes of one group, and what the policy makes of them. Confined to the group's lock.
+ *
+ * <p>Time is monotonic: a computer's clock that is set, as a receiver does a minute after a cold
+ * start, neither holds a group off nor lets it go. Nothing of this outlives the daemon.
+ */
 final class CrashHistory {
 
   private final RestartPolicy policy;
-  private final InstantSource clock;
-  private final ArrayDeque<Instant> recent = new ArrayDeque<>();
+  private final LongSupplier nanos;
+  private final ArrayDeque<Crash> recent = new ArrayDeque<>();
   private int total;
   private @Nullable String last;
-  private @Nullable Instant heldOffUntil;
+  private boolean isHeldOff;
+  private long heldOffUntil; // nanos; means nothing unless isHeldOff
+  private boolean lastWorked;
 
-  CrashHistory(RestartPolicy policy, InstantSource clock) {
+  /** A crash, and whether it counts towards the limit. */
+  private record Crash(long nanos, boolean counts) {}
+
+  /**
+   * @param nanos monotonic time in nanoseconds, such as {@link System#nanoTime}
+   */
+  CrashHistory(RestartPolicy policy, LongSupplier nanos) {
     this.policy = policy;
-    this.clock = clock;
+    this.nanos = nanos;
   }
 
   /**
    * Notes a crash.
    *
    * @param how the group ended, as the rest of a sentence
+   * @param worked how long the group's modules had been ready; zero where they were not
    */
-  void crashed(String how) {
-    Instant now = clock.instant();
+  void crashed(String how, Duration worked) {
+    long now = nanos.getAsLong();
     forgetOld(now);
-    recent.addLast(now);
+    lastWorked = worked.compareTo(policy.worked()) >= 0;
+    recent.addLast(new Crash(now, !lastWorked));
     total++;
     last = how;
-    if (recent.size() >= policy.limit()) {
-      heldOffUntil = now.plus(policy.holdOff());
+    if (!lastWorked && counted() >= policy.limit()) {
+      isHeldOff = true;
+      heldOffUntil = now + policy.holdOff().toNanos();
     }
+  }
+
+  private int counted() {
+    return (int) recent.stream().filter(Crash::counts).count();
   }
 
   /**
    * The delay before the next start by the daemon itself; empty where it leaves the group alone.
    */
   Optional<Duration> restartDelay() {
-    return heldOffUntil().isPresent() ? Optional.empty() : Optional.of(policy.delay(recentCount()));
+    if (heldOffFor().isPresent()) {
+      return Optional.empty();
+    }
+    forgetOld(nanos.getAsLong());
+    return Optional.of(lastWorked ? Duration.ZERO : policy.delay(counted()));
   }
 
-  /** Until when nobody can start the group, where it is held off. */
-  Optional<Instant> heldOffUntil() {
-    Instant until = heldOffUntil;
-    return until != null && clock.instant().isBefore(until) ? Optional.of(until) : Optional.empty();
+  /** How long from now nobody can start the group, where it is held off. */
+  Optional<Duration> heldOffFor() {
+    long left = isHeldOff ? heldOffUntil - nanos.getAsLong() : 0;
+    isHeldOff = left > 0;
+    return isHeldOff ? Optional.of(Duration.ofNanos(left)) : Optional.empty();
   }
 
-  /** Crashes that still count. */
+  /** Crashes within the window, whether they count towards the limit or not. */
   int recentCount() {
-    forgetOld(clock.instant());
+    forgetOld(nanos.getAsLong());
     return recent.size();
   }
 
@@ -67,9 +91,8 @@ final class CrashHistory {
     return Optional.ofNullable(last);
   }
 
-  private void forgetOld(Instant now) {
-    Instant oldest = now.minus(policy.window());
-    while (!recent.isEmpty() && recent.getFirst().isBefore(oldest)) {
+  private void forgetOld(long now) {
+    while (!recent.isEmpty() && now - recent.getFirst().nanos() > policy.window().toNanos()) {
       recent.removeFirst();
     }
   }

@@ -17,13 +17,16 @@ import java.rmi.server.UID;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.LongSummaryStatistics;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -42,6 +45,7 @@ final class Daemon {
 
   private final PhoenixConfiguration configuration;
   private final InstantSource clock;
+  private final Scheduler time;
   private final Journal journal;
   private final Map<ActivationGroupID, Group> groups = new ConcurrentHashMap<>();
   private final Map<UID, ActivatableObject> objects = new ConcurrentHashMap<>();
@@ -55,9 +59,14 @@ final class Daemon {
   private volatile @Nullable Activator activator;
   private volatile boolean running = true;
 
-  Daemon(PhoenixConfiguration configuration, InstantSource clock, Journal journal) {
+  /**
+   * @param clock the computer's, for people
+   * @param time what decides
+   */
+  Daemon(PhoenixConfiguration configuration, InstantSource clock, Scheduler time, Journal journal) {
     this.configuration = configuration;
     this.clock = clock;
+    this.time = time;
     this.journal = journal;
     this.launcher = new Launcher(this, configuration, journal);
   }
@@ -293,6 +302,28 @@ final class Daemon {
     }
   }
 
+  /**
+   * How long the modules of a group had been ready in an incarnation. Those that are marked to be
+   * restarted count, each of them; where none is, those that were activated.
+   *
+   * @return zero where one of them was not ready, or none was
+   */
+  Duration worked(Group group, long incarnation) {
+    List<ActivatableObject> all =
+        objects.values().stream().filter(each -> each.group == group).toList();
+    boolean marked = all.stream().anyMatch(each -> each.desc().getRestartMode());
+    LongSummaryStatistics since = new LongSummaryStatistics();
+    for (ActivatableObject each : all) {
+      OptionalLong ready = each.readySince(incarnation);
+      if (ready.isPresent()) {
+        since.accept(time.nanos() - ready.getAsLong());
+      } else if (marked && each.desc().getRestartMode()) {
+        return Duration.ZERO;
+      }
+    }
+    return since.getCount() == 0 ? Duration.ZERO : Duration.ofNanos(since.getMin());
+  }
+
   /** Runs a task after a delay, on the timer's thread. */
   void after(Duration delay, Runnable task) {
     if (running) {
@@ -358,6 +389,11 @@ final class Daemon {
 
   InstantSource clock() {
     return clock;
+  }
+
+  /** Monotonic time. */
+  Scheduler time() {
+    return time;
   }
 
   Journal journal() {

@@ -291,9 +291,10 @@ final class Group {
   private void ended(String how) {
     boolean announced = current.state() == State.LEAVING;
     endTurn();
+    Duration worked = daemon.worked(this, current.number());
     current.ended();
     changed.signalAll();
-    supervision.ended(how, announced);
+    supervision.ended(how, announced, worked);
   }
 
   /** Whether this incarnation is the one that works now. */

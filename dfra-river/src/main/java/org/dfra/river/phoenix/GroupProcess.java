@@ -2,7 +2,9 @@ package org.dfra.river.phoenix;
 
 import java.io.IOException;
 import java.io.ObjectOutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -132,8 +134,14 @@ final class GroupProcess {
     if (Files.isReadable(file)) {
       try {
         return Stream.of(Files.readString(file, StandardCharsets.ISO_8859_1).split("\0"));
+      } catch (AccessDeniedException e) {
+        return Stream.empty(); // another user's, and none of this daemon's
       } catch (IOException e) {
-        return Stream.empty(); // it ended meanwhile
+        if (Files.exists(file)) { // else it ended meanwhile
+          throw new UncheckedIOException(
+              "the arguments of process " + handle.pid() + " cannot be read: " + e.getMessage(), e);
+        }
+        return Stream.empty();
       }
     }
     Optional<String[]> arguments = handle.info().arguments();

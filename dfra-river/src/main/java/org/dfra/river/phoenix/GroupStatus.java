@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param pid process number of its virtual machine, or −1 where there is none
  * @param adopted whether this daemon found the machine running when it started
  * @param objects registered objects
- * @param recentCrashes crashes that still count towards the crash-loop limit
+ * @param recentCrashes crashes within the window, those of modules that had worked included
  * @param totalCrashes crashes since this daemon started
  * @param lastCrash how it ended the last time, or null
  * @param heldOffUntil until when it is not started because it crashed too often, or null

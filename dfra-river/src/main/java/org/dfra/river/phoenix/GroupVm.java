@@ -35,7 +35,14 @@ public final class GroupVm {
   private static final long OUTPUT_LIMIT = 4 << 20;
   private static final int OUTPUTS_KEPT = 4;
 
+  private static volatile long incarnation;
+
   private GroupVm() {}
+
+  /** The number given to this process when it was started; 0 where it is no group's. */
+  static long incarnation() {
+    return incarnation;
+  }
 
   /** Waits to be told the group, takes its lock, creates it. */
   public static void main(String[] args) {
@@ -45,7 +52,7 @@ public final class GroupVm {
       ObjectInputStream in = new ObjectInputStream(System.in);
       ActivationGroupID id = (ActivationGroupID) in.readObject();
       ActivationGroupDesc desc = (ActivationGroupDesc) in.readObject();
-      long incarnation = in.readLong();
+      incarnation = in.readLong();
       in.close();
       redirectOutput();
       own(Path.of(System.getProperty(GroupProcess.LOCK)));

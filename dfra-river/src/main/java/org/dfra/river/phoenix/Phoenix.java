@@ -23,6 +23,7 @@ import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -62,6 +63,7 @@ public final class Phoenix implements AutoCloseable {
         new Daemon(
             configuration,
             clock,
+            Scheduler.system(),
             Journal.open(
                 configuration.persistenceDirectory(),
                 configuration.persistenceSnapshotThreshold()));

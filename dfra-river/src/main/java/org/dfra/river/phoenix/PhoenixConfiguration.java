@@ -99,7 +99,8 @@ record PhoenixConfiguration(
             millis(c, "restartLongestDelay", restart.longestDelay()),
             number(c, "restartLimit", restart.limit(), 2),
             millis(c, "restartWindow", restart.window()),
-            millis(c, "restartHoldOff", restart.holdOff())),
+            millis(c, "restartHoldOff", restart.holdOff()),
+            millis(c, "restartWorked", restart.worked())),
         new ExecPolicy(
             entry(c, "customGroups", boolean.class, exec.customGroups()),
             texts(c, "permittedCommands", exec.commands()),

@@ -2,13 +2,16 @@ package org.dfra.river.phoenix;
 
 import java.io.IOException;
 import java.io.Serializable;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A process, told apart from any later one that got the same number.
@@ -17,33 +20,64 @@ import java.util.concurrent.locks.LockSupport;
  * moves when the wall clock is set, as it is on a robot whose receiver has just told it the time.
  * Elsewhere the start instant that the operating system reports has to do.
  *
+ * <p>A process is dead when there is none of its number any more, or one that started at another
+ * time. Where that cannot be found out, as in a shortage of file descriptors, it counts as alive: a
+ * second process beside a living one would fight with it for a device.
+ *
  * @param pid the process number
  * @param start when it started, in a form that only equality is asked of
  */
 record ProcessIdentity(long pid, String start) implements Serializable {
 
+  private static final Logger LOG = LoggerFactory.getLogger(ProcessIdentity.class);
+
   private static final Path BOOT_ID = Path.of("/proc/sys/kernel/random/boot_id");
 
-  /** The identity of a process that lives. */
+  /**
+   * The identity of a process that lives.
+   *
+   * @throws UncheckedIOException if it cannot be found out; nobody can keep track of it then
+   */
   static ProcessIdentity of(ProcessHandle handle) {
+    Sign sign = sign(handle.pid());
+    if (sign instanceof Sign.Doubtful doubt) {
+      throw new UncheckedIOException(
+          "the start of process " + handle.pid() + " cannot be read: " + doubt.why().getMessage(),
+          doubt.why());
+    }
     return new ProcessIdentity(
-        handle.pid(), start(handle).orElse("ended before its start could be read"));
+        handle.pid(),
+        sign instanceof Sign.Lives lives ? lives.start() : "ended before its start could be read");
   }
 
-  /** Whether this very process still runs. A process that has ended but is unburied does not. */
+  /**
+   * Whether this very process still runs, as far as is known: true also where that cannot be found
+   * out now. A process that has ended but is unburied does not run.
+   */
   boolean isAlive() {
-    return ProcessHandle.of(pid).flatMap(ProcessIdentity::start).map(start::equals).orElse(false);
+    Sign sign = sign(pid);
+    return sign instanceof Sign.Lives lives
+        ? lives.start().equals(start)
+        : sign instanceof Sign.Doubtful;
   }
 
-  /** Asks the process to end, or ends it; does nothing where it has ended. */
+  /** Whether this very process certainly runs. */
+  private boolean isCertainlyAlive() {
+    return sign(pid) instanceof Sign.Lives lives && lives.start().equals(start);
+  }
+
+  /**
+   * Asks the process to end, or ends it; does nothing where it has ended. Where it is not known
+   * whether its number is another process's by now, that is left alone, and said.
+   */
   void destroy(boolean forcibly) {
-    if (isAlive()) {
-      ProcessHandle.of(pid)
-          .ifPresent(
-              handle -> {
-                boolean asked = forcibly ? handle.destroyForcibly() : handle.destroy();
-                assert asked || !isAlive();
-              });
+    boolean asked =
+        isCertainlyAlive()
+            && ProcessHandle.of(pid)
+                .map(handle -> forcibly ? handle.destroyForcibly() : handle.destroy())
+                .orElse(false);
+    if (!asked && isAlive()) {
+      LOG.warn("Process {} could not be ended now; are there too many open files?", pid);
     }
   }
 
@@ -66,24 +100,53 @@ record ProcessIdentity(long pid, String start) implements Serializable {
     return true;
   }
 
-  private static Optional<String> start(ProcessHandle handle) {
-    Path stat = Path.of("/proc", Long.toString(handle.pid()), "stat");
+  /** What is known of a process number. */
+  private sealed interface Sign {
+
+    /** A process has it, which started then. */
+    record Lives(String start) implements Sign {}
+
+    /** No process has it, or one that has ended and is unburied. */
+    record Ended() implements Sign {}
+
+    /** It cannot be found out now. */
+    record Doubtful(IOException why) implements Sign {}
+  }
+
+  private static Sign sign(long pid) {
     if (!Files.isReadable(BOOT_ID)) {
-      return handle.isAlive()
-          ? handle.info().startInstant().map(instant -> "at " + instant.toEpochMilli())
-          : Optional.empty();
+      return ProcessHandle.of(pid)
+          .filter(ProcessHandle::isAlive)
+          .flatMap(handle -> handle.info().startInstant())
+          .<Sign>map(instant -> new Sign.Lives("at " + instant.toEpochMilli()))
+          .orElseGet(Sign.Ended::new);
     }
+    // Not by ProcessHandle.of: it finds no process where this one may open no more files.
+    Path stat = Path.of("/proc", Long.toString(pid), "stat");
     try {
       String line = Files.readString(stat, StandardCharsets.ISO_8859_1);
       // "pid (name) state …": the name may hold blanks and parentheses; field 3 is the state and
       // field 22 the start (proc(5)).
       String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" ");
       boolean ended = fields[0].equals("Z") || fields[0].equals("X");
-      return ended
-          ? Optional.empty()
-          : Optional.of("tick " + fields[19] + " of boot " + Files.readString(BOOT_ID).trim());
+      return ended ? new Sign.Ended() : new Sign.Lives("tick " + fields[19] + " of boot " + boot());
     } catch (IOException e) {
-      return Optional.empty(); // it ended meanwhile
+      // Asking whether there is such a file opens none, so the answer is good in any shortage.
+      return Files.notExists(stat) ? new Sign.Ended() : new Sign.Doubtful(e);
     }
+  }
+
+  private static String boot() throws IOException {
+    @Nullable String known = Boot.id;
+    if (known == null) {
+      known = Files.readString(BOOT_ID).trim();
+      Boot.id = known;
+    }
+    return known;
+  }
+
+  /** The boot does not change while this process lives. */
+  private static final class Boot {
+    private static volatile @Nullable String id;
   }
 }

@@ -5,27 +5,39 @@ import java.time.Duration;
 /**
  * When a crashed group is started again.
  *
- * <p>The first crash costs no delay. Each further one within the window doubles the delay, from
- * {@code firstDelay} up to {@code longestDelay}. At {@code limit} crashes within the window the
- * group is held off: for {@code holdOff} nobody can start it, and after that only a call does.
+ * <p>A group whose modules had been ready for {@code worked} or longer is started again at once,
+ * and its crash does not count. Of the others the first one costs no delay. Each further one within
+ * the window doubles the delay, from {@code firstDelay} up to {@code longestDelay}. At {@code
+ * limit} such crashes within the window the group is held off: for {@code holdOff} nobody can start
+ * it, and after that only a call does.
  *
  * @param firstDelay delay after the second crash within the window
  * @param longestDelay bound of the doubling
  * @param limit crashes within the window that make a crash loop, at least 2
  * @param window how long a crash counts
  * @param holdOff how long a crash-looping group is left alone
+ * @param worked how long its modules must have been ready for a crash not to count
  */
 record RestartPolicy(
-    Duration firstDelay, Duration longestDelay, int limit, Duration window, Duration holdOff) {
+    Duration firstDelay,
+    Duration longestDelay,
+    int limit,
+    Duration window,
+    Duration holdOff,
+    Duration worked) {
 
-  /** 0.1 s doubling to 10 s; five crashes within a minute hold a group off for half a minute. */
+  /**
+   * 0.1 s doubling to 10 s; five crashes within a minute of modules that were not ready for 2 s
+   * hold their group off for half a minute.
+   */
   static final RestartPolicy DEFAULT =
       new RestartPolicy(
           Duration.ofMillis(100),
           Duration.ofSeconds(10),
           5,
           Duration.ofMinutes(1),
-          Duration.ofSeconds(30));
+          Duration.ofSeconds(30),
+          Duration.ofSeconds(2));
 
   RestartPolicy {
     if (limit < 2) {

@@ -2,6 +2,8 @@ package org.dfra.river.phoenix;
 
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,7 +25,7 @@ final class Supervision {
   Supervision(Daemon daemon, Group group) {
     this.daemon = daemon;
     this.group = group;
-    this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.clock());
+    this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.time()::nanos);
   }
 
   /** The group was unregistered: no end of its process is a crash from now on. */
@@ -37,14 +39,15 @@ final class Supervision {
    *
    * @param how it ended, as the rest of a sentence that begins with the group's name
    * @param announced whether the process had said that it would
+   * @param worked how long its modules had been ready; zero where they were not
    */
-  void ended(String how, boolean announced) {
+  void ended(String how, boolean announced, Duration worked) {
     lastFailure = how + "; see " + daemon.output(group.name) + " and the .vm.log beside it";
     if (announced || forgotten || !daemon.isRunning()) {
       LOG.info("Group {} {}.", group.name, how);
       return;
     }
-    crashes.crashed(how);
+    crashes.crashed(how, worked);
     LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isPresent()) {
@@ -56,7 +59,7 @@ final class Supervision {
           group.name,
           crashes.recentCount(),
           daemon.configuration().restartPolicy().window().toSeconds(),
-          crashes.heldOffUntil().orElseThrow(),
+          heldOffUntil().map(Instant::toString).orElse("now"),
           daemon.output(group.name));
     }
   }
@@ -72,7 +75,8 @@ final class Supervision {
    * @throws ActivationException if it is; the message says why and until when
    */
   void requireNotHeldOff() throws ActivationException {
-    if (crashes.heldOffUntil().isPresent()) {
+    Optional<Instant> until = heldOffUntil();
+    if (until.isPresent()) {
       throw new ActivationException(
           "group "
               + group.name
@@ -81,10 +85,17 @@ final class Supervision {
               + " times within "
               + daemon.configuration().restartPolicy().window().toSeconds()
               + " s and is held off until "
-              + crashes.heldOffUntil().get()
+              + until.get()
               + "; the last time it "
               + lastFailure);
     }
+  }
+
+  /** For people, by the clock as it is set now; what decides is monotonic. */
+  private Optional<Instant> heldOffUntil() {
+    return crashes
+        .heldOffFor()
+        .map(left -> daemon.clock().instant().plus(left).truncatedTo(ChronoUnit.MILLIS));
   }
 
   /**
@@ -104,7 +115,7 @@ final class Supervision {
         crashes.recentCount(),
         crashes.total(),
         crashes.last().orElse(null),
-        crashes.heldOffUntil().orElse(null),
+        heldOffUntil().orElse(null),
         daemon.output(group.name).toString());
   }
 }

@@ -9,12 +9,13 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationInstantiator;
 import java.rmi.activation.ActivationMonitor;
 import java.rmi.activation.ActivationSystem;
+import java.rmi.activation.UnknownObjectException;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 
 /** Registration and administration, for callers on this machine. */
-final class SystemService implements ActivationSystem, PhoenixAdmin {
+final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMonitor {
 
   private final Daemon daemon;
   private final LocalAccess access;
@@ -120,6 +121,13 @@ final class SystemService implements ActivationSystem, PhoenixAdmin {
       throws java.rmi.activation.UnknownGroupException, RemoteException {
     admit("getActivatableObjects");
     return daemon.objectDescs(id);
+  }
+
+  @Override
+  public void ready(ActivationID id, long incarnation)
+      throws UnknownObjectException, RemoteException {
+    admit("ready");
+    ActivatorService.object(daemon, id).ready(incarnation, daemon.time().nanos());
   }
 
   @Override

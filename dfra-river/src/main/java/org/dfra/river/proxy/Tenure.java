@@ -4,6 +4,7 @@ import java.lang.System.Logger.Level;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.SynchronousQueue;
@@ -26,8 +27,9 @@ import org.jspecify.annotations.Nullable;
  * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
  * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
  * the calls are made by threads that exist while a call is under way, so a silent server delays
- * nobody else's renewal. A tenure is kept alive by the timer; it ends when it is closed, or hears
- * that its lease was revoked, or has lost one that does not come back.
+ * nobody else's renewal. How long the lease lasts goes by monotonic time: setting the computer's
+ * clock ends none and prolongs none. A tenure is kept alive by the timer; it ends when it is
+ * closed, or hears that its lease was revoked, or has lost one that does not come back.
  */
 final class Tenure implements AutoCloseable {
 
@@ -69,8 +71,10 @@ final class Tenure implements AutoCloseable {
 
   // guarded by this
   private Lease lease;
+  private long end; // of the lease unless it is renewed; the scheduler's time
   private boolean closed;
-  private @Nullable Instant interruptedSince;
+  private @Nullable Instant interruptedSince; // for people
+  private long interruptedNanos; // the same, by the scheduler's time
   private @Nullable Task next;
 
   /**
@@ -108,10 +112,19 @@ final class Tenure implements AutoCloseable {
     this.duration = duration;
     this.lease = lease;
     this.scheduler = scheduler;
-    long granted = Math.max(1, lease.getExpiration() - System.currentTimeMillis());
-    this.periodNanos =
-        Math.min(
-            TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), Duration.ofMillis(granted).toNanos() / 3);
+    long granted = grantedNanos(lease);
+    this.end = scheduler.nanos() + granted;
+    this.periodNanos = Math.min(TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), granted / 3);
+  }
+
+  /**
+   * How long a lease lasts that was granted or renewed just now. It travels as a span, and is
+   * turned into a time of this computer's clock on arrival; here it is turned back, before anybody
+   * sets that clock.
+   */
+  private long grantedNanos(Lease fresh) {
+    long granted = Math.max(1, fresh.getExpiration() - System.currentTimeMillis());
+    return TimeUnit.MILLISECONDS.toNanos(duration > 0 ? Math.min(granted, duration) : granted);
   }
 
   /** Begins to look after the lease. */
@@ -129,7 +142,7 @@ final class Tenure implements AutoCloseable {
 
   /** When the lease ends unless it is renewed. */
   synchronized Instant expiration() {
-    return Instant.ofEpochMilli(lease.getExpiration());
+    return Instant.now().plusNanos(end - scheduler.nanos()).truncatedTo(ChronoUnit.MILLIS);
   }
 
   /** Whether the lease is held, as far as is known. */
@@ -142,8 +155,8 @@ final class Tenure implements AutoCloseable {
     return closed;
   }
 
-  private boolean isOver() {
-    return lease.getExpiration() <= System.currentTimeMillis();
+  private boolean isOver() { // called with the lock held
+    return scheduler.nanos() - end >= 0;
   }
 
   /** Gives the lease back, in the background; see {@link LeaseReturns}. Idempotent. */
@@ -178,8 +191,12 @@ final class Tenure implements AutoCloseable {
       over = isOver();
     }
     try {
-      if (over || !renewed(held)) {
-        replace(registration.register());
+      long begun = scheduler.nanos();
+      if (!over && renewed(held)) {
+        extended(held, begun);
+      } else {
+        long asked = scheduler.nanos();
+        replace(registration.register(), asked);
       }
       reached();
     } catch (LeaseRevokedException e) {
@@ -214,7 +231,11 @@ final class Tenure implements AutoCloseable {
     return false;
   }
 
-  private void replace(Lease fresh) {
+  private synchronized void extended(Lease renewed, long begun) {
+    end = begun + grantedNanos(renewed);
+  }
+
+  private void replace(Lease fresh, long asked) {
     boolean tooLate;
     synchronized (this) {
       tooLate = closed;
@@ -222,6 +243,7 @@ final class Tenure implements AutoCloseable {
         HeldLeases.remove(lease);
         HeldLeases.add(fresh);
         lease = fresh;
+        end = asked + grantedNanos(fresh);
       }
     }
     if (tooLate) {
@@ -241,7 +263,7 @@ final class Tenure implements AutoCloseable {
 
   private synchronized void reached() {
     if (interruptedSince != null) {
-      Duration gap = Duration.between(interruptedSince, Instant.now());
+      Duration gap = Duration.ofNanos(scheduler.nanos() - interruptedNanos);
       LOG.log(Level.INFO, () -> what + ": back after " + gap);
       interruptedSince = null;
     }
@@ -250,6 +272,7 @@ final class Tenure implements AutoCloseable {
   private synchronized void missed(Exception e) {
     if (interruptedSince == null && !closed) {
       interruptedSince = Instant.now();
+      interruptedNanos = scheduler.nanos();
       LOG.log(Level.WARNING, () -> what + ": interrupted, trying again until it is closed: " + e);
     }
   }

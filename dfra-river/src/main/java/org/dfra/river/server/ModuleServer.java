@@ -33,6 +33,7 @@ import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
+import org.dfra.river.phoenix.ReadinessSource;
 import org.dfra.river.proxy.LocalModules;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.LeasedUse;
@@ -49,7 +50,7 @@ import org.jspecify.annotations.Nullable;
  * @param <M> the module's interface
  */
 public abstract class ModuleServer<M extends Module>
-    implements RemoteModule, ProxyAccessor, AutoCloseable {
+    implements RemoteModule, ProxyAccessor, ReadinessSource, AutoCloseable {
 
   /** Component of the entries that a module's Jini configuration may have. */
   static final String COMPONENT = "org.dfra.river.server";
@@ -58,6 +59,7 @@ public abstract class ModuleServer<M extends Module>
 
   private final String path;
   private final M module;
+  private final ModuleImpl driver;
   private final Remote remote;
   private final ModuleLandlord landlord;
   private final RemoteListeners listeners;
@@ -103,7 +105,7 @@ public abstract class ModuleServer<M extends Module>
 
       // Step 3: the driver, which may look for other modules.
       undo.push(parts.neighbours());
-      ModuleImpl driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
+      this.driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
       undo.push(driver);
       this.mover = ShutdownOrder.movesRobot(driver) ? driver : null;
       this.module = kind.cast(driver);
@@ -246,6 +248,12 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Readiness readiness() throws RemoteException {
     return module.readiness();
+  }
+
+  /** {@inheritDoc} For phoenix, which restarts a module that worked at once. */
+  @Override
+  public final boolean isReady() {
+    return driver.readiness() == Readiness.READY;
   }
 
   @Override

@@ -229,4 +229,30 @@ class GroupLifeTest extends GroupFixture {
         .ignoreExceptions()
         .until(() -> Files.readString(output).contains("-Dseen=yes"));
   }
+
+  /** Whatever keeps this process from opening a connection proves nothing of the other one. */
+  @Test
+  void groupThatCannotBeConnectedToForWantOfDescriptorsIsLeftAlive() throws Exception {
+    Future<?> first = activate(phoenix.object(group, false), false);
+    long pid = awaitState(State.STARTING).pid();
+    system.activeGroup(group, new Unconnectable(), 1);
+    assertThatExceptionOfType(java.util.concurrent.ExecutionException.class)
+        .isThrownBy(first::get)
+        .withStackTraceContaining("Too many open files");
+    assertThat(ProcessHandle.of(pid)).as("the group's process").isPresent();
+    assertThat(phoenix.status(0).pid()).isEqualTo(pid);
+    assertThat(phoenix.status(0).totalCrashes()).isZero();
+  }
+
+  /** An instantiator as it is where this process may open no more files. */
+  private record Unconnectable()
+      implements java.rmi.activation.ActivationInstantiator, java.io.Serializable {
+    @Override
+    public MarshalledObject<? extends java.rmi.Remote> newInstance(
+        ActivationID id, java.rmi.activation.ActivationDesc desc)
+        throws java.rmi.ConnectIOException {
+      throw new java.rmi.ConnectIOException(
+          "I/O exception connecting", new java.net.SocketException("Too many open files"));
+    }
+  }
 }

@@ -4,9 +4,16 @@ import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.FileInputStream;
+import java.io.FileNotFoundException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.dfra.river.fixture.ChildJvm;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -82,6 +89,67 @@ class ProcessIdentityTest {
       assertThat(ProcessHandle.of(pid)).as("it is still in the process table").isPresent();
     } finally {
       parent.destroyForcibly().waitFor();
+    }
+  }
+
+  /**
+   * A process that may open no more files finds a living process alive and a dead one dead, ends
+   * nobody by mistake, and can end it as soon as it may open files again.
+   */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void shortageOfDescriptorsKillsNobody() throws Exception {
+    Process ended = new ProcessBuilder("true").start();
+    ProcessIdentity dead = ProcessIdentity.of(ended.toHandle());
+    assertThat(ended.waitFor(20, TimeUnit.SECONDS)).isTrue();
+    assertThat(
+            ChildJvm.run(
+                List.of("sh", "-c", "ulimit -n 200; exec \"$@\"", "limit"),
+                Starved.class,
+                List.of(),
+                Long.toString(child.pid()),
+                Long.toString(dead.pid())))
+        .contains(
+            "alive when starved: true",
+            "dead when starved: true",
+            "alive after it was to be ended: true",
+            "a new one: cannot be identified",
+            "ended when fed: true");
+    assertThat(child.waitFor(20, TimeUnit.SECONDS)).isTrue();
+  }
+
+  /** Runs out of file descriptors, and says what it knows of the processes of its arguments. */
+  static final class Starved {
+    public static void main(String[] args) throws Exception {
+      ProcessIdentity living =
+          ProcessIdentity.of(ProcessHandle.of(Long.parseLong(args[0])).orElseThrow());
+      ProcessIdentity dead = new ProcessIdentity(Long.parseLong(args[1]), living.start());
+      boolean unused = living.isAlive() && dead.isAlive(); // loads what it needs
+      new ProcessIdentity(living.pid(), "another").destroy(true);
+      List<String> said = new ArrayList<>();
+      List<FileInputStream> open = new ArrayList<>();
+      try {
+        while (true) {
+          open.add(new FileInputStream("/dev/null"));
+        }
+      } catch (FileNotFoundException e) { // too many open files
+        said.add("alive when starved: " + living.isAlive());
+        said.add("dead when starved: " + !dead.isAlive());
+        living.destroy(true);
+        said.add("alive after it was to be ended: " + living.isAlive());
+        try {
+          ProcessIdentity found = ProcessIdentity.of(ProcessHandle.current());
+          said.add("a new one: " + found);
+        } catch (UncheckedIOException unknown) {
+          said.add("a new one: cannot be identified");
+        }
+      }
+      for (FileInputStream each : open) {
+        each.close();
+      }
+      living.destroy(true);
+      said.add("ended when fed: " + living.awaitDeath(Duration.ofSeconds(20)));
+      said.forEach(System.out::println);
     }
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.time.Duration;
 import java.util.stream.IntStream;
+import org.dfra.river.fixture.SteppedTime;
 import org.junit.jupiter.api.Test;
 
 /** When a crashed group is started again, and when it is left alone. */
@@ -16,10 +17,11 @@ class RestartPolicyTest {
           Duration.ofMillis(1000),
           4,
           Duration.ofSeconds(60),
-          Duration.ofSeconds(30));
+          Duration.ofSeconds(30),
+          Duration.ofSeconds(2));
 
-  private final SteppedClock clock = new SteppedClock();
-  private final CrashHistory history = new CrashHistory(POLICY, clock);
+  private final SteppedTime time = new SteppedTime();
+  private final CrashHistory history = new CrashHistory(POLICY, time::nanos);
 
   @Test
   void delayDoublesFromTheSecondCrashUpToItsBound() {
@@ -32,53 +34,89 @@ class RestartPolicyTest {
   void refusesWhatMakesNoSense() {
     assertThatIllegalArgumentException()
         .isThrownBy(
-            () -> new RestartPolicy(Duration.ZERO, Duration.ZERO, 1, Duration.ZERO, Duration.ZERO))
+            () ->
+                new RestartPolicy(
+                    Duration.ZERO, Duration.ZERO, 1, Duration.ZERO, Duration.ZERO, Duration.ZERO))
         .withMessage("restartLimit 1 < 2; one crash is no loop");
     assertThatIllegalArgumentException()
         .isThrownBy(
             () ->
                 new RestartPolicy(
-                    Duration.ofMillis(2), Duration.ofMillis(1), 2, Duration.ZERO, Duration.ZERO))
+                    Duration.ofMillis(2),
+                    Duration.ofMillis(1),
+                    2,
+                    Duration.ZERO,
+                    Duration.ZERO,
+                    Duration.ZERO))
         .withMessage("restartDelay PT0.002S > restartLongestDelay PT0.001S");
   }
 
   @Test
   void firstCrashCostsNoDelayAndFurtherOnesMore() {
-    history.crashed("ended");
+    history.crashed("ended", Duration.ZERO);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
-    history.crashed("ended");
+    history.crashed("ended", Duration.ZERO);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
-    history.crashed("ended again");
+    history.crashed("ended again", Duration.ZERO);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(200));
     assertThat(history.last()).contains("ended again");
-    assertThat(history.heldOffUntil()).isEmpty();
+    assertThat(history.heldOffFor()).isEmpty();
   }
 
   @Test
   void crashLoopIsHeldOffAndNotForEver() {
     for (int crash = 0; crash < 4; crash++) {
-      history.crashed("ended");
+      history.crashed("ended", Duration.ZERO);
     }
     assertThat(history.restartDelay()).as("at the limit nobody starts it").isEmpty();
-    assertThat(history.heldOffUntil()).contains(clock.instant().plusSeconds(30));
-    clock.pass(Duration.ofMillis(29_999));
-    assertThat(history.heldOffUntil()).isPresent();
-    clock.pass(Duration.ofMillis(1));
-    assertThat(history.heldOffUntil()).as("after the hold-off a call may start it").isEmpty();
-    history.crashed("ended");
-    assertThat(history.heldOffUntil())
+    assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
+    time.pass(Duration.ofMillis(29_999));
+    assertThat(history.heldOffFor()).isPresent();
+    time.pass(Duration.ofMillis(1));
+    assertThat(history.heldOffFor()).as("after the hold-off a call may start it").isEmpty();
+    history.crashed("ended", Duration.ZERO);
+    assertThat(history.heldOffFor())
         .as("a crash while the others still count holds it off again")
-        .contains(clock.instant().plusSeconds(30));
+        .contains(Duration.ofSeconds(30));
   }
 
   @Test
   void oldCrashesNoLongerCountButStayInTheTotal() {
-    history.crashed("ended");
-    history.crashed("ended");
-    clock.pass(Duration.ofSeconds(61));
+    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", Duration.ZERO);
+    time.pass(Duration.ofSeconds(61));
     assertThat(history.recentCount()).isZero();
-    history.crashed("ended");
+    history.crashed("ended", Duration.ZERO);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
     assertThat(history.total()).isEqualTo(3);
+  }
+
+  @Test
+  void whatHadWorkedIsRestartedAtOnceHoweverOftenItIsKilled() {
+    for (int crash = 0; crash < 100; crash++) {
+      time.pass(Duration.ofSeconds(5));
+      history.crashed("ended (exit code 137)", Duration.ofSeconds(2));
+      assertThat(history.restartDelay()).as("after crash %d", crash).contains(Duration.ZERO);
+      assertThat(history.heldOffFor()).isEmpty();
+    }
+    assertThat(history.total()).isEqualTo(100);
+    assertThat(history.recentCount()).as("crashes within a minute").isBetween(12, 13);
+    history.crashed("ended (exit code 137)", Duration.ofMillis(1999));
+    assertThat(history.restartDelay())
+        .as("the first that had not worked for long")
+        .contains(Duration.ZERO);
+    history.crashed("ended (exit code 137)", Duration.ZERO);
+    assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
+  }
+
+  @Test
+  void workingInBetweenDoesNotHideACrashLoop() {
+    for (int crash = 0; crash < 3; crash++) {
+      history.crashed("ended", Duration.ZERO);
+    }
+    history.crashed("ended", Duration.ofSeconds(3));
+    assertThat(history.restartDelay()).contains(Duration.ZERO);
+    history.crashed("ended", Duration.ZERO);
+    assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
   }
 }

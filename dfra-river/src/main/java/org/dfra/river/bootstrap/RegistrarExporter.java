@@ -1,0 +1,80 @@
+package org.dfra.river.bootstrap;
+
+import com.sun.jini.thread.ReadersWriter.ConcurrentLockException;
+import java.rmi.Remote;
+import java.rmi.server.ExportException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import net.jini.export.Exporter;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Exports a lookup service by another exporter, and while it is exported holds its leases to what
+ * it grants, see {@link RegistrarLeases}. For the entry {@code com.sun.jini.reggie.serverExporter}
+ * of a registrar's Jini configuration.
+ *
+ * <p>Thread: one daemon, {@code registrar-leases}, from export to unexport.
+ */
+public final class RegistrarExporter implements Exporter {
+
+  private static final Logger LOG = LoggerFactory.getLogger(RegistrarExporter.class);
+
+  private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+  private final Exporter exporter;
+  private volatile @Nullable Thread thread;
+
+  /**
+   * @param exporter exports the lookup service
+   */
+  public RegistrarExporter(Exporter exporter) {
+    this.exporter = exporter;
+  }
+
+  @Override
+  public Remote export(Remote registrar) throws ExportException {
+    Remote proxy = exporter.export(registrar);
+    try {
+      RegistrarLeases leases = new RegistrarLeases(registrar);
+      Thread begun = new Thread(() -> watch(leases), "registrar-leases");
+      begun.setDaemon(true);
+      thread = begun;
+      begun.start();
+    } catch (ReflectiveOperationException e) {
+      LOG.warn(
+          "The leases of this lookup service go by the computer's clock, also where that is set"
+              + " back: {}. Use reggie 2.2.2.",
+          e.getMessage());
+    }
+    return proxy;
+  }
+
+  private void watch(RegistrarLeases leases) {
+    try {
+      while (thread == Thread.currentThread()) {
+        int cut = leases.cut();
+        if (cut > 0) {
+          LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
+        }
+        LockSupport.parkNanos(this, PERIOD_NANOS);
+      }
+    } catch (ConcurrentLockException e) {
+      LOG.debug("The lookup service ends.", e);
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // they were made accessible
+    }
+  }
+
+  @Override
+  public boolean unexport(boolean force) {
+    boolean unexported = exporter.unexport(force);
+    if (unexported) {
+      @Nullable Thread ending = thread;
+      thread = null;
+      LockSupport.unpark(ending);
+    }
+    return unexported;
+  }
+}

@@ -1,0 +1,11 @@
+package org.dfra.river.phoenix;
+
+/**
+ * An activatable object that is not of use as soon as it is made: a module, which must find its
+ * device first. Any other object counts as ready when its constructor has returned.
+ */
+public interface ReadinessSource {
+
+  /** Whether the object is ready now. Must not block. */
+  boolean isReady();
+}

@@ -1,0 +1,236 @@
+package org.dfra.phoenix;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.entry.Entry;
+import net.jini.core.lookup.ServiceItem;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceTemplate;
+import net.jini.lookup.entry.Name;
+import org.dfra.example.thermometer.SteadyThermometerImpl;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
+import org.dfra.testing.EmbeddedReggie;
+import org.dfra.testing.ServedModule;
+import org.dfra.testing.TalkingProcess;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * The clock of a registrar's computer, or of a module's, is set by an hour: within one lease and 5
+ * s what lives is listed again, and what is dead is not. The clocks are set by libfaketime
+ * (Debian's package {@code faketime}); monotonic time is left alone, as it is where a real clock is
+ * set.
+ */
+@Timeout(240)
+class ClockStepIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration LEASE = Duration.ofMillis(EmbeddedReggie.LEASE_MILLIS);
+  private static final Duration BOUND = LEASE.plusSeconds(5);
+
+  @TempDir Path folder;
+
+  private final PauseMeter pauses = new PauseMeter();
+
+  @AfterEach
+  void end() {
+    pauses.close();
+  }
+
+  /** A process whose clock can be set. */
+  private final class Skewed implements AutoCloseable {
+
+    private final Path clock;
+    private final TalkingProcess process;
+    final String said;
+
+    Skewed(Class<?> main, String... arguments) throws Exception {
+      Optional<Path> library = library();
+      assumeThat(library).as("libfaketime; install Debian's package faketime").isPresent();
+      clock = folder.resolve(main.getSimpleName() + ".clock");
+      set(0);
+      List<String> command =
+          new ArrayList<>(
+              List.of(
+                  "env",
+                  "LD_PRELOAD=" + library.orElseThrow(),
+                  "FAKETIME_TIMESTAMP_FILE=" + clock,
+                  "FAKETIME_CACHE_DURATION=1",
+                  "FAKETIME_DONT_FAKE_MONOTONIC=1",
+                  "DONT_FAKE_MONOTONIC=1"));
+      command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+      command.add(main.getName());
+      command.addAll(List.of(arguments));
+      process = new TalkingProcess(command);
+      said = process.awaitLine();
+    }
+
+    private static Optional<Path> library() throws IOException {
+      try (Stream<Path> files = Files.walk(Path.of("/usr/lib"), 3)) {
+        return files.filter(file -> file.endsWith("faketime/libfaketimeMT.so.1")).findFirst();
+      }
+    }
+
+    /** Sets it that far before or after the computer's, and proves it. */
+    void step(long seconds) throws Exception {
+      set(seconds);
+      await("clock set by " + seconds + " s") // it looks at the file once a second
+          .atMost(PATIENCE)
+          .until(() -> ahead().minusSeconds(seconds).abs().compareTo(LEASE) < 0);
+    }
+
+    private Duration ahead() throws Exception {
+      return Duration.between(Instant.now(), Instant.parse(process.ask("time")));
+    }
+
+    private void set(long seconds) throws IOException {
+      Path beside = Files.writeString(folder.resolve("next"), "%+d".formatted(seconds) + "\n");
+      Path unused = Files.move(beside, clock, StandardCopyOption.ATOMIC_MOVE);
+    }
+
+    @Override
+    public void close() throws Exception {
+      process.close();
+    }
+  }
+
+  /** Answers each line with its time. */
+  private static void answer() throws IOException {
+    BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
+    while (in.readLine() != null) {
+      System.out.println(TalkingProcess.SAID + Instant.now());
+    }
+  }
+
+  /** A lookup service as a process. */
+  static final class Registrar {
+    public static void main(String[] args) throws Exception {
+      try (EmbeddedRegistrar reggie =
+          new EmbeddedRegistrar(
+                  EmbeddedReggie.HOST, 0, List.of("g" + UUID.randomUUID()), LEASE, Map.of())
+              .start()) {
+        System.out.println(TalkingProcess.SAID + reggie.locator());
+        answer();
+      }
+    }
+  }
+
+  /** A module as a process; its argument is a locator. */
+  static final class Served {
+    public static void main(String[] args) throws Exception {
+      try (ThermometerServer server = thermometer(args[0]).serve()) {
+        System.out.println(TalkingProcess.SAID + server);
+        answer();
+      }
+    }
+  }
+
+  private static ServiceItem dead() {
+    return new ServiceItem(null, "a proxy", new Entry[] {new Name("dead")});
+  }
+
+  private static ServedModule<ThermometerServer> thermometer(String locator) {
+    return ServedModule.of(
+            ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class)
+        .joining(locator);
+  }
+
+  /** The names that are listed. */
+  private static Set<String> listed(ServiceRegistrar registrar) throws RemoteException {
+    ServiceTemplate named = new ServiceTemplate(null, null, new Entry[] {new Name()});
+    return Arrays.stream(registrar.lookup(named, Integer.MAX_VALUE).items)
+        .flatMap(item -> Arrays.stream(item.attributeSets))
+        .filter(Name.class::isInstance)
+        .map(entry -> ((Name) entry).name)
+        .filter(name -> !name.equals("Lookup"))
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Within the bound, and from then on. */
+  private void awaitListed(ServiceRegistrar registrar, long begun, String... names)
+      throws Exception {
+    await("listing of " + List.of(names))
+        .atMost(PATIENCE)
+        .pollInterval(Duration.ofMillis(100))
+        .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
+        .until(() -> hasPassed(begun) && listed(registrar).equals(Set.of(names)));
+    Duration took = Duration.ofNanos(System.nanoTime() - begun);
+    assertThat(took.minus(pauses.since(begun)))
+        .as("time until it is listed aright, and %s of pauses", pauses.since(begun))
+        .isLessThan(BOUND.plusSeconds(1));
+    await("that it stays so")
+        .during(LEASE.plusSeconds(1))
+        .atMost(PATIENCE)
+        .pollInterval(Duration.ofMillis(100))
+        .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
+        .until(() -> listed(registrar).equals(Set.of(names)));
+  }
+
+  /** By then whoever is to be dropped has been. */
+  private static boolean hasPassed(long begun) {
+    return System.nanoTime() - begun > LEASE.toNanos();
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {-3600, 3600})
+  void theClockOfARegistrarIsSet(long step) throws Exception {
+    try (Skewed process = new Skewed(Registrar.class)) {
+      LookupLocator locator = new LookupLocator(process.said);
+      ServiceRegistrar registrar = locator.getRegistrar();
+      try (ThermometerServer server = thermometer(process.said).serve()) {
+        await(server.toString())
+            .atMost(PATIENCE)
+            .ignoreExceptionsInstanceOf(RemoteException.class)
+            .until(() -> listed(registrar).contains("robot/module"));
+        await("registration of one that never renews")
+            .atMost(PATIENCE)
+            .ignoreExceptionsInstanceOf(RemoteException.class)
+            .until(() -> registrar.register(dead(), LEASE.toMillis()) != null);
+        process.step(step);
+        long begun = System.nanoTime();
+        awaitListed(registrar, begun, "robot/module");
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {-3600, 3600})
+  void theClockOfAModulesComputerIsSet(long step) throws Exception {
+    try (EmbeddedReggie reggie = new EmbeddedReggie().start();
+        Skewed process = new Skewed(Served.class, reggie.locator())) {
+      await(process.said)
+          .atMost(PATIENCE)
+          .until(() -> listed(reggie.registrar()).contains("robot/module"));
+      process.step(step);
+      long begun = System.nanoTime();
+      awaitListed(reggie.registrar(), begun, "robot/module");
+    }
+  }
+}

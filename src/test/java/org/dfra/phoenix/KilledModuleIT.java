@@ -1,0 +1,159 @@
+package org.dfra.phoenix;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.awaitility.core.ConditionFactory;
+import org.dfra.drive.Commander;
+import org.dfra.drive.WheeledRobot;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.module.Identification;
+import org.dfra.module.Readiness;
+import org.dfra.river.phoenix.GroupStatus;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The process of a robot's wheels is killed with -9 again and again: it is back each time, the
+ * wheels stood in between, nobody's command counts any more, and an emergency stop is kept.
+ *
+ * <p>Short: six kills, more than the restart policy allows a group that never worked. {@code
+ * dfra.full}: every 5 s for two minutes. {@code dfra.soak}: every 5 s for an hour.
+ */
+@Timeout(value = 3, unit = TimeUnit.HOURS)
+class KilledModuleIT {
+
+  private static final boolean SOAK = Boolean.getBoolean("dfra.soak");
+  private static final boolean FULL = SOAK || Boolean.getBoolean("dfra.full");
+  private static final Duration PERIOD = Duration.ofSeconds(5);
+  private static final int KILLS = SOAK ? 720 : FULL ? 24 : 6;
+
+  /** Ready for longer than 2 s, which phoenix counts from the report of readiness. */
+  private static final Duration WORK = Duration.ofMillis(2500);
+
+  private static final Duration TARGET = Duration.ofSeconds(2);
+  private static final Duration HOLD_OFF = Duration.ofSeconds(30);
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final String GROUP = "eta.wheels";
+
+  @TempDir Path folder;
+
+  private final PauseMeter pauses = new PauseMeter();
+  private final List<Duration> back = new ArrayList<>(); // less what the machine paused
+  private WheeledRobot robot;
+  private DriveEffector drive;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    robot = WheeledRobot.start(folder, "drive");
+    drive = robot.drive();
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    pauses.close();
+    if (robot != null) {
+      robot.close();
+    }
+  }
+
+  private static ConditionFactory patiently(String what) {
+    return await(what)
+        .atMost(PATIENCE)
+        .pollInterval(Duration.ofMillis(25))
+        .ignoreExceptionsInstanceOf(RemoteException.class);
+  }
+
+  @Test
+  void isBackInTimeHoweverOftenItIsKilled() throws Exception {
+    Identification identity = drive.identification();
+    long next = System.nanoTime();
+    for (int kill = 1; kill <= KILLS; kill++) {
+      next = Math.max(next + (FULL ? PERIOD.toNanos() : 0), System.nanoTime() + WORK.toNanos());
+      if (kill % 2 == 0) {
+        killedWhileStopped(next);
+      } else {
+        killedWhileItDrives(next);
+      }
+      assertThat(drive.identification()).isEqualTo(identity);
+    }
+    GroupStatus status = robot.phoenix().group(GROUP);
+    assertThat(status.heldOffUntil()).isNull();
+    assertThat(status.totalCrashes()).as("one crash for each kill").isEqualTo(KILLS);
+    report();
+  }
+
+  private void killedWhileItDrives(long at) throws Exception {
+    try (Commander commander = new Commander(drive, Duration.ofSeconds(10), new Velocity(1, 0))) {
+      robot.awaitFullSpeed();
+      kill(at);
+      robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
+      assertThatThrownBy(() -> drive.obey(commander.lease().key(), new Velocity(1, 0)))
+          .as("a command from before the kill")
+          .isInstanceOf(CommandRefusedException.class);
+    }
+    assertTheyStand("before anybody commands");
+  }
+
+  private void killedWhileStopped(long at) throws Exception {
+    patiently("stop").until(() -> drive.emergencyStop("the test").latched());
+    StopState stop = drive.stopState();
+    kill(at);
+    StopState kept = drive.stopState();
+    assertThat(kept.latched()).as("emergency stop after the kill").isTrue();
+    assertThat(List.of(kept.by(), kept.since())).containsExactly(stop.by(), stop.since());
+    patiently("release").until(() -> !drive.releaseStop("the test").latched());
+    assertTheyStand("after the release");
+  }
+
+  private void assertTheyStand(String when) {
+    assertThat(robot.wheels().speed()).as("speed %s", when).isLessThan(1e-3);
+  }
+
+  /** Kills it at that time, and waits until it is of use again. */
+  private void kill(long at) throws Exception {
+    await().atMost(PATIENCE).until(() -> System.nanoTime() - at > 0);
+    long pid = robot.phoenix().group(GROUP).pid();
+    long killed = System.nanoTime();
+    robot.phoenix().kill(GROUP);
+    patiently("next incarnation")
+        .until(
+            () -> robot.phoenix().group(GROUP).pid() > 0 && drive.readiness() == Readiness.READY);
+    long nanos = System.nanoTime() - killed;
+    assertThat(robot.phoenix().group(GROUP).pid()).isNotEqualTo(pid);
+    Duration pause = pauses.since(killed);
+    back.add(Duration.ofNanos(nanos).minus(pause));
+    System.out.printf(
+        "back %.3f s after kill %d, of which the machine paused %.3f s%n",
+        nanos / 1e9, back.size(), pause.toNanos() / 1e9);
+  }
+
+  private void report() {
+    List<Duration> sorted = back.stream().sorted().toList();
+    Duration p95 = sorted.get((int) Math.ceil(0.95 * sorted.size()) - 1);
+    System.out.printf(
+        "%d kills: back after %.3f s in the middle, p95 %.3f s (target %.0f s), longest %.3f s%n",
+        sorted.size(),
+        sorted.get(sorted.size() / 2).toNanos() / 1e9,
+        p95.toNanos() / 1e9,
+        TARGET.toNanos() / 1e9,
+        sorted.get(sorted.size() - 1).toNanos() / 1e9);
+    assertThat(sorted.get(sorted.size() - 1)).as("longest").isLessThan(HOLD_OFF);
+    if (FULL) {
+      assertThat(p95).as("time back, p95 of %s", sorted).isLessThanOrEqualTo(TARGET);
+    }
+  }
+}
