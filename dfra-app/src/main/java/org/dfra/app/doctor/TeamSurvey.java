@@ -25,6 +25,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -42,7 +43,11 @@ import org.jspecify.annotations.Nullable;
  * longer: who waits long for a slow computer waits longer for its answers. All are asked at once.
  */
 final class TeamSurvey
-    implements RegistrarCheck.Search, ClockCheck.Clocks, StopCheck.Stops, AutoCloseable {
+    implements RegistrarCheck.Search,
+        ClockCheck.Clocks,
+        StopCheck.Stops,
+        NameCheck.Names,
+        AutoCloseable {
 
   /** How long one peer is waited for at least. */
   private static final Duration LEAST_DEADLINE = Duration.ofMillis(800);
@@ -133,6 +138,12 @@ final class TeamSurvey
           .ifPresent(stopped::add);
     }
     return stopped;
+  }
+
+  @Override
+  public Map<String, List<String>> namesakes() throws InterruptedException {
+    directory.awaitFirstLook(patience);
+    return Namesakes.of(directory.find(ModuleQuery.of(Module.class)));
   }
 
   /** By the first of a robot's modules that tells. */

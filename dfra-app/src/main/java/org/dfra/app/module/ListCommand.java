@@ -1,5 +1,6 @@
 package org.dfra.app.module;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.Team;
@@ -37,9 +38,10 @@ final class ListCommand implements Callable<Integer> {
           team.surveyed().find(robot == null ? any : any.robot(robot)).stream()
               .filter(each -> kind == null || Kinds.isOf(each.module(), kind))
               .map(ModuleView::of)
-              .sorted(java.util.Comparator.comparing(ModuleView::path))
+              .sorted(Comparator.comparing(ModuleView::path).thenComparing(ModuleView::host))
               .toList();
       ModuleTable.show(options.answer(), modules, nothing());
+      team.remarkNamesakes();
       return ExitCode.WELL;
     }
   }
