@@ -299,10 +299,10 @@ class RobotVerbsIT {
 
   private static String module(String name, int celsius) {
     return """
-        <module name="%s" server="%s" proxy="%s" driver="%s">
-          <parameter name="celsius" value="%d"/>
-        </module>
-        """
+    <module name="%s" server="%s" proxy="%s" driver="%s">
+      <parameter name="celsius" value="%d"/>
+    </module>
+    """
         .formatted(
             name,
             ThermometerServer.class.getName(),

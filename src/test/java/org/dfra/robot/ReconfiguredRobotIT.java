@@ -96,11 +96,11 @@ class ReconfiguredRobotIT {
 
   private static String module(String name, int celsius) {
     return """
-        <module name="%s" server="%s" proxy="%s" driver="%s">
-          <parameter name="celsius" value="%d"/>
-          <parameter name="device" value="%s"/>
-        </module>
-        """
+    <module name="%s" server="%s" proxy="%s" driver="%s">
+      <parameter name="celsius" value="%d"/>
+      <parameter name="device" value="%s"/>
+    </module>
+    """
         .formatted(
             name,
             ThermometerServer.class.getName(),

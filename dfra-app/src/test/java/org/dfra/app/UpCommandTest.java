@@ -49,9 +49,10 @@ class UpCommandTest {
   /** A module of the properties that come with DFRA, its parameter in line 5. */
   private static String module(String name, String properties, String parameter, String value) {
     return """
-        <module name="%s" properties="%s">
-        <parameter name="%s" value="%s"/>
-        </module>"""
+    <module name="%s" properties="%s">
+    <parameter name="%s" value="%s"/>
+    </module>\
+    """
         .formatted(
             name, CONFIG.resolve("modules").resolve(properties + ".properties"), parameter, value);
   }
@@ -130,7 +131,8 @@ class UpCommandTest {
                 <module name="gps" properties="%s">
                 <parameter name="link" value="tcp://127.0.0.1:1"/>
                 <parameter name="reopen_frist" value="1"/>
-                </module>"""
+                </module>\
+                """
                     .formatted(CONFIG.resolve("modules/m12plus.properties"))))
         .containsExactly(
             at(6) + "eta/gps has no parameter \"reopen_frist\"; did you mean \"reopen_first\"?");
