@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** {@code ./dfra up}, {@code down}, {@code status} and {@code module}, run as a user runs them. */
 class RobotVerbsIT {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(40);
+  private static final Duration PATIENCE = Duration.ofSeconds(240);
 
   @TempDir Path folder;
 
@@ -60,7 +60,9 @@ class RobotVerbsIT {
 
       Outcome again = processes.dfra(PATIENCE, "up", xml, port, registry, state);
       assertThat(again.exit()).as(again.out() + again.err()).isZero();
-      assertThat(again.out()).startsWith("Phoenix answers on port ");
+      assertThat(again.out())
+          .startsWith("Phoenix answers on port ")
+          .contains("Kept: t1/warmth in group one; nothing of it has changed.");
       Outcome status = processes.dfra(PATIENCE, "status", state);
       assertThat(status.out())
           .as("one launch, though it was brought up twice")
@@ -188,9 +190,65 @@ class RobotVerbsIT {
       verbs.well("module", "remove", "t1/chill");
       assertThat(verbs.well("status")).doesNotContain("chill");
 
+      Files.writeString(xml, Files.readString(xml).replace("value=\"18\"", "value=\"19\""));
+      assertThat(verbs.well("up", xml.toString()))
+          .contains(
+              "Kept: t1/registrar in group one; nothing of it has changed.",
+              "Restarted: t1/warmth in group one; changed: parameter celsius.",
+              "Up: t1/chill in group one.");
+      verbs.well("module", "stop", "chill", "--team=");
+      assertThat(verbs.well("status")).contains("registrar, warmth, chill (not running)");
+
       assertThat(verbs.well("down", "t1")).isEqualToIgnoringNewLines("t1 is down.");
       assertThat(verbs.well("status")).startsWith("Phoenix answers, but no such robot is up");
       verbs.fails(3, "robot t1 is not up on this host; none is", "down", "t1");
+      verbs.well("down");
+      await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
+    }
+  }
+
+  @Test
+  void twoRobotsOfOneNameAreToldApartByTheirHosts() throws Exception {
+    int registrar = FreePorts.next();
+    Path xml = robot(registrar);
+    Path namesake =
+        Files.writeString(
+            Files.createDirectory(folder.resolve("other")).resolve("t1.xml"),
+            """
+            <robot xmlns="urn:dfra:robot:1" name="t1" host="127.0.0.2">
+              <lookup locators="127.0.0.1:%d"/>
+              <group name="one">%s</group>
+            </robot>
+            """
+                .formatted(registrar, module("warmth", 23)));
+    try (MarkedProcesses processes = new MarkedProcesses(folder)) {
+      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"));
+      Verbs others = new Verbs(processes, "--state=" + folder.resolve("other/state"));
+      verbs.well("up", xml.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");
+      Outcome up =
+          others.run("up", namesake.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");
+      assertThat(up.exit()).as("it comes up all the same: " + up.err()).isZero();
+      assertThat(up.err())
+          .contains("ANOTHER ROBOT IS NAMED t1, on 127.0.0.1, and this one on 127.0.0.2; ");
+
+      Outcome list = verbs.run("module", "list", "--team=");
+      assertThat(list.out()).contains("127.0.0.1", "127.0.0.2");
+      assertThat(list.err()).contains("2 robots are named t1, on 127.0.0.1 and 127.0.0.2; ");
+      verbs.fails(
+          3,
+          "there are several modules t1/warmth; name one of t1@127.0.0.1/warmth,"
+              + " t1@127.0.0.2/warmth",
+          "module",
+          "call",
+          "t1/warmth",
+          "celsius",
+          "--team=");
+      assertThat(verbs.well("module", "call", "t1@127.0.0.2/warmth", "celsius", "--team="))
+          .startsWith("23");
+      Outcome doctor = verbs.run("doctor", "--team=");
+      assertThat(doctor.out()).contains("2 robots are named t1, on 127.0.0.1 and 127.0.0.2");
+      assertThat(doctor.exit()).isEqualTo(1);
+      others.well("down");
       verbs.well("down");
       await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
     }

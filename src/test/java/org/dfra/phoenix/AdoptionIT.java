@@ -75,6 +75,19 @@ class AdoptionIT {
   }
 
   @Test
+  void whatALivingGroupHasIsNotTakenForInactiveByTheNextPhoenix() throws Exception {
+    ActivationGroupID group = phoenix.group("adopted");
+    ActivationID id = phoenix.register(group, ok("adopted"), false);
+    Beacon beacon = (Beacon) id.activate(false);
+    phoenix.kill();
+    phoenix.start();
+
+    assertThat(phoenix.admin().activeObjects(group)).containsExactly(id);
+    assertThat(phoenix.admin().unregisterInactive(id)).as("nobody has asked the group").isFalse();
+    assertThat(phoenix.admin().activeProxy(id).get()).isEqualTo(beacon);
+  }
+
+  @Test
   void groupsThatDiedWhilePhoenixWasAwayComeBackIfMarked() throws Exception {
     Beacon marked = phoenix.beacon(phoenix.group("marked"), ok("marked"), true);
     Beacon other = phoenix.beacon(phoenix.group("other"), ok("other"), false);

@@ -57,6 +57,26 @@ class UpCommandTest {
             name, CONFIG.resolve("modules").resolve(properties + ".properties"), parameter, value);
   }
 
+  @Test
+  void twoDescriptionsOfOneRobotAreRefused() throws IOException {
+    Path one = robot(module("gps", "m12plus", "link", "tcp://localhost:1"));
+    Path other = Files.copy(one, folder.resolve("other.xml"));
+    StringWriter err = new StringWriter();
+    CommandLine line = Main.commandLine().setErr(new PrintWriter(err));
+    String state = "--state=" + folder.resolve("state");
+    assertThat(line.execute("up", one.toString(), other.toString(), state))
+        .isEqualTo(ExitCode.FAILED);
+    assertThat(err)
+        .hasToString(
+            "dfra: "
+                + other
+                + ": robot eta is described in "
+                + one
+                + " too; give one of the two another name"
+                + System.lineSeparator());
+    assertThat(folder.resolve("state")).doesNotExist();
+  }
+
   /** What it says on standard error, line by line; nothing is begun. */
   private List<String> refused(String module) throws IOException {
     StringWriter out = new StringWriter();

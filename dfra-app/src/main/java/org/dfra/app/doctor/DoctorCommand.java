@@ -88,6 +88,7 @@ public final class DoctorCommand implements Callable<Integer> {
     try (TeamSurvey survey = TeamSurvey.open(team)) {
       boolean isRobotUp = phoenix.pid().isPresent();
       checks.add(new RegistrarCheck(survey, team.namedLocators(), isRobotUp));
+      checks.add(new NameCheck(survey));
       checks.add(new ClockCheck(survey));
       checks.add(new ModuleCheck(survey));
       checks.add(new StopCheck(survey));

@@ -30,6 +30,8 @@ public enum Subject {
   GROUP,
   /** A lookup service. */
   REGISTRAR,
+  /** A name that more than one robot of the team has. */
+  ROBOT_NAME,
   /** How far a robot's clock is off this computer's. */
   CLOCK,
   /** A module that cannot be used now, or here. */

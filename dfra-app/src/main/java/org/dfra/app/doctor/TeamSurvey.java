@@ -25,6 +25,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.team.Unready;
 import org.dfra.directory.ModuleListing;
@@ -47,6 +48,7 @@ final class TeamSurvey
         ModuleCheck.Modules,
         ClockCheck.Clocks,
         StopCheck.Stops,
+        NameCheck.Names,
         AutoCloseable {
 
   /** How long one peer is waited for at least. */
@@ -146,6 +148,12 @@ final class TeamSurvey
           .ifPresent(stopped::add);
     }
     return stopped;
+  }
+
+  @Override
+  public Map<String, List<String>> namesakes() throws InterruptedException {
+    directory.awaitFirstLook(patience);
+    return Namesakes.of(directory.find(ModuleQuery.of(Module.class)));
   }
 
   /** By the first of a robot's modules that tells. */

@@ -56,9 +56,10 @@ final class ListCommand implements Callable<Integer> {
           Stream.concat(
                   listings.stream().map(each -> view(each, reasons.get(each.id()))),
                   refused(directory))
-              .sorted(Comparator.comparing(ModuleView::path))
+              .sorted(Comparator.comparing(ModuleView::path).thenComparing(ModuleView::host))
               .toList();
       ModuleTable.show(options.answer(), modules, nothing());
+      team.remarkNamesakes();
       return ExitCode.WELL;
     }
   }

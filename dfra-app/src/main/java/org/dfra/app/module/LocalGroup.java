@@ -3,6 +3,7 @@ package org.dfra.app.module;
 import java.io.IOException;
 import java.rmi.activation.ActivationException;
 import java.util.List;
+import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
@@ -23,7 +24,7 @@ final class LocalGroup {
    */
   static ServiceGroup of(PhoenixProcess phoenix, String module)
       throws IOException, ActivationException {
-    List<ServiceGroup> groups = Inventory.of(phoenix);
+    List<ServiceGroup> groups = Inventory.of(phoenix, PhoenixOptions.PATIENCE);
     return groups.stream()
         .filter(group -> paths(group).contains(module))
         .findFirst()

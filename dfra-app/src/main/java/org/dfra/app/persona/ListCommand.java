@@ -31,6 +31,7 @@ final class ListCommand implements Callable<Integer> {
             Seen.of(each.stale(), each.confirmed()));
       }
       options.answer().table(robots, table, "No robot shows anything of itself.");
+      team.remarkNamesakes();
       return ExitCode.WELL;
     }
   }

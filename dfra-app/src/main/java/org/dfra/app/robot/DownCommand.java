@@ -14,8 +14,6 @@ import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.config.RobotXml;
-import org.dfra.river.bootstrap.Inventory;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotRemoval;
 import picocli.CommandLine.Command;
@@ -28,9 +26,10 @@ import picocli.CommandLine.Parameters;
     description = "Takes robots of this host down, or all of them and phoenix.",
     footer = {
       "",
-      "Without a robot, phoenix and every group of this host end; what is registered",
-      "is kept, and comes back with phoenix. A robot that is named is forgotten: its",
-      "modules get new identities when it is brought up again. Phoenix then goes on."
+      "Without a robot, every robot of this host and phoenix itself end; otherwise",
+      "phoenix goes on. What is taken down is forgotten, and does not come back with",
+      "phoenix. Brought up again, its modules have the identities they had before,",
+      "and an emergency stop stays until it is released."
     })
 public final class DownCommand implements Callable<Integer> {
 
@@ -51,13 +50,14 @@ public final class DownCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     PhoenixProcess phoenix = options.last();
-    if (!phoenix.answers()) {
+    if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
       answer.sentence(
           Map.of("phoenix", "none"),
           "No phoenix answers on port " + phoenix.port() + "; nothing is up.");
       return ExitCode.WELL;
     }
     if (robots.isEmpty()) {
+      RobotRemoval.ofAll(phoenix, PhoenixOptions.PATIENCE);
       phoenix.shutdown(PhoenixOptions.PATIENCE);
       answer.sentence(Map.of("phoenix", "ended"), "Phoenix and its groups have ended.");
       return ExitCode.WELL;
@@ -72,8 +72,7 @@ public final class DownCommand implements Callable<Integer> {
 
   /** The robots' names; all are checked before any is taken down. */
   private List<String> names(PhoenixProcess phoenix) throws IOException, ActivationException {
-    List<String> known =
-        Inventory.of(phoenix).stream().map(ServiceGroup::robot).distinct().toList();
+    List<String> known = RobotRemoval.robots(phoenix, PhoenixOptions.PATIENCE);
     List<String> names = new ArrayList<>();
     for (String each : robots) {
       String name =

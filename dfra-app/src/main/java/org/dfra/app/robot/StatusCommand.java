@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
@@ -44,6 +46,8 @@ public final class StatusCommand implements Callable<Integer> {
   /**
    * A group as it is told of.
    *
+   * @param services its services that run
+   * @param idle its services that do not run: they did not start, crashed or were stopped
    * @param stopped its effectors that are stopped for an emergency
    */
   record Group(
@@ -55,6 +59,7 @@ public final class StatusCommand implements Callable<Integer> {
       int crashes,
       @Nullable String lastCrash,
       List<String> services,
+      List<String> idle,
       List<String> stopped,
       String log) {}
 
@@ -66,7 +71,7 @@ public final class StatusCommand implements Callable<Integer> {
     }
     PhoenixProcess phoenix = options.running();
     List<Group> groups = new ArrayList<>();
-    for (ServiceGroup each : Inventory.of(phoenix)) {
+    for (ServiceGroup each : Inventory.of(phoenix, PhoenixOptions.PATIENCE)) {
       if (wanted.isEmpty() || wanted.contains(each.robot())) {
         groups.add(group(each, phoenix.state()));
       }
@@ -79,7 +84,7 @@ public final class StatusCommand implements Callable<Integer> {
           each.pid() < 0 ? "-" : Long.toString(each.pid()),
           Long.toString(each.started()),
           Integer.toString(each.crashes()),
-          String.join(", ", each.services()));
+          services(each));
     }
     answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
     if (!answer.isJson()) {
@@ -91,13 +96,22 @@ public final class StatusCommand implements Callable<Integer> {
     return ExitCode.WELL;
   }
 
+  private static String services(Group group) {
+    return Stream.concat(
+            group.services().stream(), group.idle().stream().map(each -> each + " (not running)"))
+        .collect(Collectors.joining(", "));
+  }
+
   private static Group group(ServiceGroup group, Path kept) {
     GroupStatus status = group.status();
     List<String> services = new ArrayList<>();
+    List<String> idle = new ArrayList<>();
     if (group.registrar()) {
-      services.add("registrar");
+      (group.registrarRuns() ? services : idle).add("registrar");
     }
-    services.addAll(group.modules());
+    for (String module : group.modules()) {
+      (group.running().contains(module) ? services : idle).add(module);
+    }
     String state = status.state().name().toLowerCase(Locale.ROOT);
     return new Group(
         group.robot(),
@@ -108,6 +122,7 @@ public final class StatusCommand implements Callable<Integer> {
         status.totalCrashes(),
         status.lastCrash(),
         services,
+        idle,
         List.copyOf(KeptStops.latched(kept, group.robot(), group.modules()).keySet()),
         status.output());
   }

@@ -2,21 +2,27 @@ package org.dfra.app.robot;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.robot.Rehearsal;
+import org.dfra.river.bootstrap.BringUpStep;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.loading.RobotClasses;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -28,8 +34,9 @@ import picocli.CommandLine.Parameters;
     footer = {
       "",
       "Phoenix is started where none answers, and stays when this command ends.",
-      "Running it again does no harm: what is registered keeps its identity and",
-      "gets the new description."
+      "Running it again takes over what was changed: a module whose description is",
+      "another one is started anew, one that the XML does not name any more ends, and",
+      "the others work on. It says what it did."
     })
 public final class UpCommand implements Callable<Integer> {
 
@@ -54,8 +61,10 @@ public final class UpCommand implements Callable<Integer> {
    * @param name {@code robot/module}, or {@code robot/registrar}
    * @param group name of its service group
    * @param stopped whether it is an effector that is stopped for an emergency
+   * @param step what was done, such as {@code started}, {@code kept} or {@code ended}
+   * @param detail more of it, such as what was changed; may be empty
    */
-  record Up(String name, String group, boolean stopped) {}
+  record Up(String name, String group, boolean stopped, String step, String detail) {}
 
   @Override
   public Integer call() throws Exception {
@@ -63,9 +72,10 @@ public final class UpCommand implements Callable<Integer> {
     for (Path each : xml) { // all are read and tried before anything is begun
       robots.add(RobotXml.read(each));
     }
+    requireDifferentNames(robots);
     Rehearsal.of(robots);
     PhoenixProcess phoenix = options.last();
-    if (!phoenix.answers()) {
+    if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
       // Its address is in every proxy that brings a module back, so others must reach it too.
       Map.Entry<PhoenixProcess, Process> started =
           options.start(HostAddress.resolve(robots.get(0).host()));
@@ -78,16 +88,7 @@ public final class UpCommand implements Callable<Integer> {
     options.noteProcess(phoenix);
     List<Up> services = new ArrayList<>();
     for (RobotDescription robot : robots) {
-      RobotBootstrap bootstrap = new RobotBootstrap(phoenix, robot);
-      for (RobotBootstrap.Service service : bootstrap.up()) {
-        String module = service.name().substring(service.name().indexOf('/') + 1);
-        List<String> stops = Stops.sentences(phoenix.state(), robot.name(), List.of(module));
-        services.add(new Up(service.name(), service.group(), !stops.isEmpty()));
-        say("Up: " + service.name() + " in group " + service.group() + ".");
-        stops.forEach(each -> say("But " + each + "."));
-      }
-      sayClasses(bootstrap);
-      OtherJars.sentences(phoenix, robot.name()).forEach(each -> say(each + "."));
+      bringUp(new RobotBootstrap(phoenix, robot), robot, phoenix, services);
     }
     if (answer.isJson()) {
       answer.outline(services);
@@ -97,12 +98,84 @@ public final class UpCommand implements Callable<Integer> {
     return ExitCode.WELL;
   }
 
+  private void bringUp(
+      RobotBootstrap bootstrap, RobotDescription robot, PhoenixProcess phoenix, List<Up> services)
+      throws Exception {
+    try (NamesakeSearch namesakes = NamesakeSearch.begin(robot)) {
+      List<RobotBootstrap.Service> unused =
+          bootstrap.up(
+              step -> {
+                String module = step.name().substring(step.name().indexOf('/') + 1);
+                List<String> stops =
+                    Stops.sentences(phoenix.state(), robot.name(), List.of(module));
+                services.add(
+                    new Up(
+                        step.name(),
+                        step.group(),
+                        !stops.isEmpty(),
+                        step.kind().name().toLowerCase(Locale.ROOT),
+                        step.detail()));
+                say(inWords(step));
+                stops.forEach(each -> say("But " + each + "."));
+              });
+      sayClasses(bootstrap);
+      OtherJars.sentences(phoenix, robot.name()).forEach(each -> say(each + "."));
+      namesakes.warning(bootstrap.identities()).ifPresent(answer::remark);
+    }
+  }
+
+  private static String inWords(BringUpStep step) {
+    String inGroup = step.name() + " in group " + step.group();
+    return switch (step.kind()) {
+      case STARTED -> "Up: " + inGroup + ".";
+      case KEPT -> "Kept: " + inGroup + "; nothing of it has changed.";
+      case RESTARTED ->
+          "Restarted: "
+              + inGroup
+              + (step.detail().isEmpty() ? "." : "; changed: " + step.detail() + ".");
+      case MOVED -> "Moved: " + inGroup + "; it was in group " + step.detail() + ".";
+      case ENDED -> "Ended: " + inGroup + "; the robot's XML does not have it there any more.";
+      case GROUP_KEPT ->
+          "Kept: process of group "
+              + step.name()
+              + "; its changed JVM options or class path count from its next start.";
+      case GROUP_RESTARTED ->
+          "Restarted: process of group " + step.name() + "; " + step.detail() + ".";
+      case GROUP_ENDED ->
+          "Ended: group " + step.name() + "; the robot's XML does not have it any more.";
+    };
+  }
+
+  /** Two robots of one name on one phoenix would be one, as the last XML says. */
+  private void requireDifferentNames(List<RobotDescription> robots) {
+    Map<String, Path> sources = new HashMap<>();
+    for (RobotDescription robot : robots) {
+      @Nullable Path other = sources.putIfAbsent(robot.name(), robot.source());
+      if (other != null) {
+        throw new ConfigurationException(
+            robot.source()
+                + ": robot "
+                + robot.name()
+                + " is described in "
+                + other
+                + " too; give one of the two another name");
+      }
+    }
+  }
+
   /** A robot without its class server works, but not for clients that lack its classes. */
-  private void sayClasses(RobotBootstrap bootstrap) throws IOException {
+  private void sayClasses(RobotBootstrap bootstrap) throws IOException, ActivationException {
     Optional<RobotClasses> classes = bootstrap.classes();
     if (classes.isPresent()) {
       String place = classes.get().host() + ":" + classes.get().port();
-      Optional<String> fault = classes.get().missing();
+      Optional<String> taken = bootstrap.classPortTaken();
+      Optional<String> fault =
+          taken.isPresent()
+              ? Optional.of(
+                  taken.get()
+                      + ", so clients that lack this robot's classes cannot download them; give one"
+                      + " of the two another port in <registrar classes=\"…\">")
+              : classes.get().missing();
       say(
           fault.isPresent()
               ? "Classes: " + fault.get() + "."

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.Answer;
@@ -65,7 +66,7 @@ final class Searches {
     List<ModuleListing<RasterSearch>> named = new ArrayList<>();
     for (String robot : wanted) {
       named.add(
-          directory.find(any.robot(robot)).stream()
+          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
               .findFirst()
               .orElseThrow(
                   () ->

@@ -13,7 +13,9 @@ public final class ModuleArgument {
   @Parameters(
       index = "0",
       paramLabel = "ROBOT/MODULE",
-      description = "The module; the robot may be left out where only one has such a module.")
+      description =
+          "The module; the robot may be left out where only one has such a module. Where several"
+              + " robots have one name: ROBOT@HOST/MODULE.")
   private String name = "";
 
   @Mixin

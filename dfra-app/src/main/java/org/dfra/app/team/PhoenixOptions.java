@@ -85,7 +85,7 @@ public final class PhoenixOptions {
    */
   public PhoenixProcess running() throws IOException {
     PhoenixProcess phoenix = last();
-    if (!phoenix.answers()) {
+    if (!phoenix.answers(PATIENCE)) {
       throw new CommandFailure(
           ExitCode.NO_ANSWER,
           "no phoenix answers on port "

@@ -1,8 +1,9 @@
 package org.dfra.app.team;
 
+import static java.util.stream.Collectors.joining;
+
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
@@ -15,6 +16,9 @@ import org.dfra.river.lookup.UnreadableModule;
 
 /** The team's robots, as one command sees them. Closing it ends the search. */
 public final class Team implements AutoCloseable {
+
+  /** Registrars that multicast reaches answer at once; this is for a busy one. */
+  private static final Duration NAMESAKES = Duration.ofMillis(500);
 
   private final JiniModuleDirectory directory;
   private final Duration wait;
@@ -55,47 +59,65 @@ public final class Team implements AutoCloseable {
   }
 
   /**
-   * The module of that name.
+   * The module of that name. Other robots may have the same name, so one that is found at once is
+   * not taken before others had a moment to be found too.
    *
-   * @param name {@code robot/module}, or the module alone where only one robot has it
+   * @param text {@code robot/module}, {@code robot@host/module} where several robots have that
+   *     name, or the module alone where only one robot has it
    * @throws CommandFailure if there is none, or more than one
    */
-  public ModuleListing<Module> module(String name) throws InterruptedException {
-    ModuleQuery<Module> query = query(name);
-    boolean isFullName = name.indexOf('/') >= 0;
-    if (isFullName) {
-      Optional<ModuleListing<Module>> found = directory.findFirst(query, wait);
-      if (found.isPresent()) {
-        return found.get();
+  public ModuleListing<Module> module(String text) throws InterruptedException {
+    ModuleName name = ModuleName.of(text);
+    if (name.robot() != null && directory.findFirst(name.query(), wait).isPresent()) {
+      List<String> unused =
+          directory.awaitFirstLook(wait.compareTo(NAMESAKES) < 0 ? wait : NAMESAKES);
+      List<ModuleListing<Module>> found = directory.find(name.query());
+      if (!name.at(found).isEmpty()) {
+        return name.choose(found);
       }
     }
     surveyed();
-    List<ModuleListing<Module>> found = directory.find(query);
-    if (found.size() == 1) {
-      return found.get(0);
+    List<ModuleListing<Module>> found = directory.find(name.query());
+    if (!name.at(found).isEmpty()) {
+      return name.choose(found);
+    }
+    refuseUnreadable(name);
+    throw new CommandFailure(ExitCode.NOT_FOUND, "there is no module " + text + hint(name, found));
+  }
+
+  private String hint(ModuleName name, List<ModuleListing<Module>> elsewhere) {
+    if (!elsewhere.isEmpty()) {
+      return " there; it is on "
+          + elsewhere.stream().map(Namesakes::host).distinct().sorted().collect(joining(", "));
     }
     List<String> names =
-        (found.isEmpty() ? directory.find(ModuleQuery.of(Module.class)) : found)
-            .stream().map(ModuleListing::path).distinct().sorted().toList();
-    if (found.isEmpty()) {
-      refuseUnreadable(name);
-    }
-    throw new CommandFailure(
-        ExitCode.NOT_FOUND,
-        found.isEmpty()
-            ? "there is no module "
-                + name
-                + NearestName.hint(
-                    name,
-                    isFullName ? names : withoutRobots(names),
-                    "; ./dfra module list shows what there is")
-            : "there are several modules " + name + "; name one of " + String.join(", ", names));
+        directory.find(ModuleQuery.of(Module.class)).stream()
+            .map(ModuleListing::path)
+            .distinct()
+            .sorted()
+            .toList();
+    return NearestName.hint(
+        name.text(),
+        name.robot() != null ? names : withoutRobots(names),
+        "; ./dfra module list shows what there is");
+  }
+
+  /** Says on the side which of the robots that are found share a name. */
+  public void remarkNamesakes() {
+    Namesakes.of(directory.find(ModuleQuery.of(Module.class)))
+        .forEach(
+            (robot, hosts) ->
+                answer.remark(
+                    Namesakes.inWords(robot, hosts)
+                        + "; rename one of them, and until then name a module as "
+                        + robot
+                        + "@HOST/MODULE"));
   }
 
   /** Says why a module that is there cannot be used here. */
-  private void refuseUnreadable(String name) {
+  private void refuseUnreadable(ModuleName name) {
     for (UnreadableModule each : directory.unreadable()) {
-      if (each.path().equals(name) || each.name().equals(name)) {
+      if (name.isOf(each.robot(), each.name())) {
         throw new CommandFailure(
             ExitCode.FAILED, each.path() + " cannot be used here: " + each.reason());
       }
@@ -105,14 +127,6 @@ public final class Team implements AutoCloseable {
   /** Without their robots, as they may be written too. */
   private static List<String> withoutRobots(List<String> paths) {
     return paths.stream().map(path -> path.substring(path.indexOf('/') + 1)).distinct().toList();
-  }
-
-  private static ModuleQuery<Module> query(String name) {
-    int slash = name.indexOf('/');
-    ModuleQuery<Module> any = ModuleQuery.of(Module.class);
-    return slash < 0
-        ? any.name(name)
-        : any.robot(name.substring(0, slash)).name(name.substring(slash + 1));
   }
 
   @Override

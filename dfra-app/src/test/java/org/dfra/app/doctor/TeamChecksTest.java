@@ -10,6 +10,7 @@ import java.time.InstantSource;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
@@ -135,6 +136,18 @@ class TeamChecksTest {
   private static InstantSource instants(long... millis) {
     Iterator<Instant> all = Arrays.stream(millis).mapToObj(Instant::ofEpochMilli).iterator();
     return all::next;
+  }
+
+  @Test
+  void aNameThatTwoRobotsHaveIsAFailureThatNamesBothHosts() throws Exception {
+    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.6"))).examine())
+        .containsExactly(
+            Finding.fail(
+                Subject.ROBOT_NAME,
+                "2 robots are named r, on 10.0.0.5 and 10.0.0.6, so whoever calls r may get either",
+                "Take one of them down, give it another name in its XML and bring it up again;"
+                    + " until then name a module as r@HOST/MODULE."));
+    assertThat(new NameCheck(Map::of).examine()).isEmpty();
   }
 
   @Test

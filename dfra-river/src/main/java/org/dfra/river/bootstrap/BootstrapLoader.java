@@ -1,7 +1,6 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
@@ -11,28 +10,21 @@ import java.rmi.activation.ActivationGroupDesc.CommandEnvironment;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
-import java.util.TreeMap;
-import java.util.UUID;
 import org.dfra.core.config.GroupDescription;
-import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
-import org.dfra.river.bootstrap.RobotBootstrap.Service;
 import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Registers what a robot's description names with the activation system: each group, and in it each
  * service with its marshalled activation data. What is registered under the same names already is
- * described anew instead.
+ * described anew instead, so everything here may be done twice, and is where no answer came.
  */
 final class BootstrapLoader {
 
@@ -42,165 +34,108 @@ final class BootstrapLoader {
   private final ActivationSystem system;
   private final String robot;
   private final Optional<RobotClasses> classes;
+  private final Patience patience;
 
   /**
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
-      PhoenixAdmin admin, ActivationSystem system, String robot, Optional<RobotClasses> classes) {
-    this.admin = admin;
-    this.system = system;
+      PhoenixProcess phoenix, String robot, Optional<RobotClasses> classes, Patience patience) {
+    this.admin = phoenix.admin();
+    this.system = phoenix.system();
     this.robot = robot;
     this.classes = classes;
+    this.patience = patience;
   }
 
-  /** Registers a service group. */
-  ActivationGroupID group(GroupDescription group) throws ActivationException, RemoteException {
+  /** What phoenix has registered of the robot now. */
+  List<RegisteredGroup> registered() throws ActivationException, IOException {
+    return patience.ask(() -> RegisteredGroup.of(admin, robot));
+  }
+
+  /** The robot's modules that are registered now. */
+  List<RegisteredGroup.Module> modules() throws ActivationException, IOException {
+    return registered().stream().flatMap(group -> group.modules().stream()).toList();
+  }
+
+  private Optional<RegisteredGroup> registered(String group)
+      throws ActivationException, RemoteException {
+    return RegisteredGroup.of(admin, robot).stream()
+        .filter(each -> each.name().equals(group))
+        .findFirst();
+  }
+
+  /** What a group's processes are to be started with. */
+  ActivationGroupDesc desc(GroupDescription group) {
     Properties properties = new Properties();
     properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());
     List<String> options = new ArrayList<>(JvmCommand.options());
     classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
     options.addAll(group.jvmOptions());
-    ActivationGroupDesc desc =
-        new ActivationGroupDesc(
-            properties, new CommandEnvironment(null, options.toArray(String[]::new)));
-    Optional<ActivationGroupID> known = known(properties);
-    if (known.isPresent()) {
-      system.setActivationGroupDesc(known.get(), desc);
-      return known.get();
-    }
-    return system.registerGroup(desc);
+    return new ActivationGroupDesc(
+        properties, new CommandEnvironment(null, options.toArray(String[]::new)));
   }
 
-  private Optional<ActivationGroupID> known(Properties wanted) throws RemoteException {
-    String name = wanted.getProperty(Phoenix.GROUP_NAME);
-    @SuppressWarnings("unchecked") // as phoenix declares it
-    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
-    return groups.entrySet().stream()
-        .filter(
-            each ->
-                each.getValue().getPropertyOverrides() != null
-                    && name.equals(
-                        each.getValue().getPropertyOverrides().getProperty(Phoenix.GROUP_NAME)))
-        .map(Map.Entry::getKey)
-        .findFirst();
+  /** Registers a service group. */
+  ActivationGroupID group(GroupDescription group) throws ActivationException, IOException {
+    ActivationGroupDesc desc = desc(group);
+    return patience.ask(
+        () -> {
+          Optional<RegisteredGroup> known = registered(group.name());
+          if (known.isEmpty()) {
+            return system.registerGroup(desc);
+          }
+          if (!known.get().desc().equals(desc)) {
+            system.setActivationGroupDesc(known.get().id(), desc);
+          }
+          return known.get().id();
+        });
   }
 
   /** Registers the robot's registrar: stock reggie. */
-  Service registrar(
+  ActivationID registrar(
       GroupDescription group, RegistrarDescription registrar, MarshalledObject<String[]> data)
       throws ActivationException, IOException {
     ActivationGroupID groupId = group(group);
     ActivationDesc desc = new ActivationDesc(groupId, REGGIE, null, data, registrar.restart());
-    @Nullable ActivationID known = null;
-    for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
-      if (each.getValue().getClassName().equals(REGGIE)) {
-        known = each.getKey();
-      }
-    }
-    return new Service(robot + "/registrar", group.name(), register(known, desc));
+    return patience.ask(
+        () ->
+            register(
+                registered(group.name())
+                    .flatMap(RegisteredGroup::registrar)
+                    .map(RegisteredGroup.Registrar::id),
+                desc));
   }
 
   /**
-   * Registers a module.
+   * Registers a module in a group.
    *
-   * @param state folder of what of it outlives its virtual machine
+   * @param group the group's name
    */
-  Service module(
-      ActivationGroupID groupId,
-      String group,
-      ModuleDescription module,
-      String host,
-      List<String> locators,
-      List<String> lookupGroups,
-      Path state)
+  ActivationID module(ActivationGroupID groupId, String group, ModuleActivation activation)
       throws ActivationException, IOException {
-    @Nullable ActivationID known = null;
-    UUID identity = UUID.randomUUID();
-    Instant created = Instant.now();
-    for (Map.Entry<ActivationID, ActivationDesc> each : objects(groupId).entrySet()) {
-      Optional<ModuleActivation> data = activationData(each.getValue());
-      if (data.isPresent() && data.get().module().name().equals(module.name())) {
-        known = each.getKey();
-        identity = data.get().id();
-        created = data.get().created();
-      }
-    }
     ActivationDesc desc =
         new ActivationDesc(
             groupId,
-            module.serverClass(),
+            activation.module().serverClass(),
             null,
-            new MarshalledObject<>(
-                new ModuleActivation(
-                    module, identity, created, host, lookupGroups, locators, state.toString())),
-            module.restart());
-    return new Service(module.path(), group, register(known, desc));
+            new MarshalledObject<>(activation),
+            activation.module().restart());
+    return patience.ask(
+        () ->
+            register(
+                registered(group)
+                    .flatMap(each -> each.module(activation.module().name()))
+                    .map(RegisteredGroup.Module::id),
+                desc));
   }
 
-  /**
-   * A module that is registered.
-   *
-   * @param groupId its group's ID
-   * @param group its group's name, without the robot's
-   */
-  record Registered(
-      ActivationID id, ActivationGroupID groupId, String group, ModuleActivation activation) {}
-
-  /** The robot's modules that are registered now, by name. */
-  Map<String, Registered> registered() throws ActivationException, RemoteException {
-    Map<String, Registered> modules = new TreeMap<>();
-    String prefix = robot + ".";
-    @SuppressWarnings("unchecked") // as phoenix declares it
-    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
-    for (Map.Entry<ActivationGroupID, ActivationGroupDesc> group : groups.entrySet()) {
-      @Nullable Properties properties = group.getValue().getPropertyOverrides();
-      @Nullable String name =
-          properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
-      if (name != null && name.startsWith(prefix)) {
-        for (Map.Entry<ActivationID, ActivationDesc> each : objects(group.getKey()).entrySet()) {
-          activationData(each.getValue())
-              .ifPresent(
-                  data ->
-                      modules.put(
-                          data.module().name(),
-                          new Registered(
-                              each.getKey(),
-                              group.getKey(),
-                              name.substring(prefix.length()),
-                              data)));
-        }
-      }
-    }
-    return modules;
-  }
-
-  private ActivationID register(@Nullable ActivationID known, ActivationDesc desc)
+  private ActivationID register(Optional<ActivationID> known, ActivationDesc desc)
       throws ActivationException, RemoteException {
-    if (known == null) {
+    if (known.isEmpty()) {
       return system.registerObject(desc);
     }
-    system.setActivationDesc(known, desc);
-    return known;
-  }
-
-  @SuppressWarnings("unchecked") // as phoenix declares it
-  private Map<ActivationID, ActivationDesc> objects(ActivationGroupID group)
-      throws ActivationException, RemoteException {
-    return admin.getActivatableObjects(group);
-  }
-
-  static Optional<ModuleActivation> activationData(ActivationDesc desc) throws ActivationException {
-    try {
-      return desc.getData() != null && desc.getData().get() instanceof ModuleActivation data
-          ? Optional.of(data)
-          : Optional.empty();
-    } catch (IOException | ClassNotFoundException e) {
-      throw new ActivationException(
-          "what phoenix keeps of a "
-              + desc.getClassName()
-              + " cannot be read; it was registered by another version: take the robot down first",
-          e);
-    }
+    system.setActivationDesc(known.get(), desc);
+    return known.get();
   }
 }

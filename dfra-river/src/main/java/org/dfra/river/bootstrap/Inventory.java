@@ -1,19 +1,22 @@
 package org.dfra.river.bootstrap;
 
+import java.io.IOException;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Properties;
+import java.util.Set;
 import java.util.TreeMap;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
 
 /** What is registered with the phoenix of a host: every robot's groups and what is in them. */
@@ -30,6 +33,8 @@ public final class Inventory {
    * @param status where its virtual machine stands
    * @param modules names of its modules, in alphabetical order
    * @param registrar whether it hosts the robot's registrar
+   * @param registrarRuns whether that runs
+   * @param running names of those of its modules that run
    */
   public record ServiceGroup(
       String robot,
@@ -37,10 +42,13 @@ public final class Inventory {
       ActivationGroupID id,
       GroupStatus status,
       List<String> modules,
-      boolean registrar) {
+      boolean registrar,
+      boolean registrarRuns,
+      Set<String> running) {
 
     public ServiceGroup {
       modules = List.copyOf(modules);
+      running = Set.copyOf(running);
     }
   }
 
@@ -48,23 +56,27 @@ public final class Inventory {
    * Every group of every robot, by robot and name. Groups that somebody else registered are left
    * out.
    *
-   * @throws RemoteException if phoenix does not answer
+   * @param time how long phoenix is asked again where it does not answer
+   * @throws IOException if phoenix does not answer
    * @throws ActivationException if what it keeps cannot be read
    */
-  public static List<ServiceGroup> of(PhoenixProcess phoenix)
-      throws RemoteException, ActivationException {
+  public static List<ServiceGroup> of(PhoenixProcess phoenix, Duration time)
+      throws IOException, ActivationException {
     PhoenixAdmin admin = phoenix.admin();
+    return Patience.of(time).ask(() -> read(admin));
+  }
+
+  private static List<ServiceGroup> read(PhoenixAdmin admin)
+      throws RemoteException, ActivationException {
     Map<String, GroupStatus> status = new TreeMap<>();
-    admin.groupStatus().forEach(each -> status.put(each.name().replaceFirst("^\\d+-", ""), each));
+    admin.groupStatus().forEach(each -> status.put(GroupEnd.plain(each.name()), each));
     Map<String, ServiceGroup> groups = new TreeMap<>();
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationGroupID, ActivationGroupDesc> registered = admin.getActivationGroups();
     for (Map.Entry<ActivationGroupID, ActivationGroupDesc> each : registered.entrySet()) {
-      @Nullable Properties properties = each.getValue().getPropertyOverrides();
-      @Nullable String name =
-          properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
-      @Nullable GroupStatus known = name == null ? null : status.get(name);
-      if (name != null && known != null && name.indexOf('.') > 0) {
+      String name = RegisteredGroup.fullName(each.getValue());
+      @Nullable GroupStatus known = status.get(name);
+      if (known != null && name.indexOf('.') > 0) {
         groups.put(name, group(admin, each.getKey(), name, known));
       }
     }
@@ -75,18 +87,34 @@ public final class Inventory {
       PhoenixAdmin admin, ActivationGroupID id, String name, GroupStatus status)
       throws RemoteException, ActivationException {
     List<String> modules = new ArrayList<>();
+    Set<String> running = new HashSet<>();
     boolean registrar = false;
+    boolean registrarRuns = false;
+    Set<ActivationID> active = Set.copyOf(admin.activeObjects(id));
     @SuppressWarnings("unchecked") // as phoenix declares it
-    Iterable<ActivationDesc> objects = admin.getActivatableObjects(id).values();
-    for (ActivationDesc object : objects) {
-      Optional<String> module =
-          BootstrapLoader.activationData(object).map(data -> data.module().name());
-      module.ifPresent(modules::add);
-      registrar |= object.getClassName().equals(BootstrapLoader.REGGIE);
+    Map<ActivationID, ActivationDesc> objects = admin.getActivatableObjects(id);
+    for (Map.Entry<ActivationID, ActivationDesc> object : objects.entrySet()) {
+      boolean runs = active.contains(object.getKey());
+      if (RegisteredGroup.data(object.getValue()) instanceof ModuleActivation data) {
+        modules.add(data.module().name());
+        if (runs) {
+          running.add(data.module().name());
+        }
+      } else if (object.getValue().getClassName().equals(BootstrapLoader.REGGIE)) {
+        registrar = true;
+        registrarRuns = runs;
+      }
     }
     modules.sort(null);
     int dot = name.indexOf('.');
     return new ServiceGroup(
-        name.substring(0, dot), name.substring(dot + 1), id, status, modules, registrar);
+        name.substring(0, dot),
+        name.substring(dot + 1),
+        id,
+        status,
+        modules,
+        registrar,
+        registrarRuns,
+        running);
   }
 }

@@ -47,6 +47,22 @@ public final class KnownRobots {
     return Files.exists(file) ? Optional.of(RobotXml.read(file)) : Optional.empty();
   }
 
+  /** Whether a robot is known. */
+  public boolean isKnown(String robot) {
+    return Files.exists(file(robot));
+  }
+
+  /** Forgets every robot. */
+  public void forgetAll() throws IOException {
+    if (Files.isDirectory(folder)) {
+      try (Stream<Path> files = Files.list(folder)) {
+        for (Path file : files.filter(each -> each.toString().endsWith(XML)).toList()) {
+          Files.deleteIfExists(file);
+        }
+      }
+    }
+  }
+
   /** All robots, in alphabetical order. */
   public List<RobotDescription> all() throws IOException {
     if (!Files.isDirectory(folder)) {

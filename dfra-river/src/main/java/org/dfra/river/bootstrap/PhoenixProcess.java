@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixLocator;
@@ -50,6 +51,28 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
       return true;
     } catch (RemoteException e) {
       return false;
+    }
+  }
+
+  /**
+   * Whether a phoenix answers there. One that is there and does not answer is asked again: on a
+   * busy computer that is no sign of death.
+   *
+   * @param patience how long to ask
+   */
+  public boolean answers(Duration patience) {
+    Patience asking = Patience.of(patience);
+    while (true) {
+      try {
+        admin().groupStatus();
+        return true;
+      } catch (DeadlineExceededException e) {
+        if (asking.isOver()) {
+          return false;
+        }
+      } catch (RemoteException e) {
+        return false;
+      }
     }
   }
 
@@ -139,11 +162,21 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * @throws IOException if it refuses or does not end in time
    */
   public void shutdown(Duration patience) throws IOException {
-    system().shutdown();
     long end = System.nanoTime() + patience.toNanos();
+    boolean isAccepted = false;
     while (answers()) {
       if (System.nanoTime() - end > 0) {
         throw new IOException("phoenix did not end within " + patience.toSeconds() + " s");
+      }
+      if (!isAccepted) {
+        try {
+          system().shutdown();
+          isAccepted = true;
+        } catch (RemoteException e) {
+          if (!Patience.isWithoutAnswer(e)) {
+            throw e;
+          } // it is asked again as long as it is there
+        }
       }
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
     }

@@ -3,9 +3,14 @@ package org.dfra.river.bootstrap;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** What differs from one robot's registrar to another's, as arguments of its Jini configuration. */
 final class RegistrarArguments {
+
+  private static final String HOST = "com.sun.jini.reggie.host=";
+  private static final String PORT = "com.sun.jini.reggie.initialUnicastDiscoveryPort=";
+  private static final String GROUPS = "com.sun.jini.reggie.initialMemberGroups=";
 
   private RegistrarArguments() {}
 
@@ -21,10 +26,11 @@ final class RegistrarArguments {
   static String[] of(String host, int port, Path folder, List<String> groups, boolean multicast) {
     List<String> arguments = new ArrayList<>();
     arguments.add(RegistrarArguments.class.getResource("registrar.config").toString());
-    override(arguments, "host", PhoenixProcess.quote(host));
-    override(arguments, "initialUnicastDiscoveryPort", Integer.toString(port));
-    override(arguments, "persistenceDirectory", PhoenixProcess.quote(folder.toString()));
-    override(arguments, "initialMemberGroups", array(groups));
+    arguments.add(HOST + PhoenixProcess.quote(host));
+    arguments.add(PORT + port);
+    arguments.add(
+        "com.sun.jini.reggie.persistenceDirectory=" + PhoenixProcess.quote(folder.toString()));
+    arguments.add(GROUPS + array(groups));
     if (!multicast) {
       String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
       arguments.add("com.sun.jini.reggie." + none);
@@ -33,8 +39,28 @@ final class RegistrarArguments {
     return arguments.toArray(String[]::new);
   }
 
-  private static void override(List<String> arguments, String entry, String expression) {
-    arguments.add("com.sun.jini.reggie." + entry + "=" + expression);
+  /** The TCP port in such arguments; 0 for one of the system's choice, or where there is none. */
+  static int port(List<String> arguments) {
+    return value(arguments, PORT).map(Integer::parseInt).orElse(0);
+  }
+
+  /** The host in such arguments. */
+  static Optional<String> host(List<String> arguments) {
+    return value(arguments, HOST).map(quoted -> quoted.substring(1, quoted.length() - 1));
+  }
+
+  private static Optional<String> value(List<String> arguments, String entry) {
+    return arguments.stream()
+        .filter(each -> each.startsWith(entry))
+        .map(each -> each.substring(entry.length()))
+        .findFirst();
+  }
+
+  /** Those that count only when it is started: the others can be changed while it runs. */
+  static List<String> atStart(List<String> arguments) {
+    return arguments.stream()
+        .filter(each -> !each.startsWith(PORT) && !each.startsWith(GROUPS))
+        .toList();
   }
 
   private static String array(List<String> texts) {

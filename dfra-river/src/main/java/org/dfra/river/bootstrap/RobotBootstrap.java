@@ -2,14 +2,14 @@ package org.dfra.river.bootstrap;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
-import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.stream.Collectors;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
@@ -17,19 +17,25 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.remote.RemoteModule;
-import org.jspecify.annotations.Nullable;
+import org.dfra.river.server.ModuleActivation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Brings a robot up under a phoenix that runs: its registrar first, then its modules.
  *
- * <p>Doing it twice does no harm: what is registered already keeps its identity and gets the new
- * description, which counts from its next activation on.
+ * <p>Doing it twice does no harm: what is registered already keeps its identity, and is started
+ * anew only where its description has changed. What the description does not name any more ends.
  */
 public final class RobotBootstrap {
 
   private static final Logger LOG = LoggerFactory.getLogger(RobotBootstrap.class);
+
+  /** How long a robot may take to come up; until then questions are asked again. */
+  private static final Duration TIME = Duration.ofSeconds(60);
+
+  /** How long one module may take to end; its driver brakes first. */
+  private static final Duration END = Duration.ofSeconds(15);
 
   private final PhoenixProcess phoenix;
   private final RobotDescription robot;
@@ -59,38 +65,105 @@ public final class RobotBootstrap {
    */
   public record Service(String name, String group, ActivationID id) {}
 
-  /**
-   * Registers everything and activates it.
-   *
-   * @return what was brought up, the registrar first
-   * @throws ActivationException if something cannot be registered or activated; what was brought up
-   *     before stays up
-   */
+  /** As {@link #up(BringUpStep.Listener)}, for those who do not care what was done. */
   public List<Service> up() throws ActivationException, IOException {
+    return up(step -> {});
+  }
+
+  /**
+   * Makes what runs what the description says: everything is registered and activated, what was
+   * described otherwise is started anew, and what is not described any more ends.
+   *
+   * @param listener is called as it goes on
+   * @return what is up, the registrar first
+   * @throws ConfigurationException if another robot of this phoenix has the registrar's port;
+   *     nothing was changed
+   * @throws ActivationException if something cannot be registered or activated, or the end of a
+   *     module that has to go is not proven; what was brought up before stays up
+   */
+  public List<Service> up(BringUpStep.Listener listener) throws ActivationException, IOException {
     Optional<RobotClasses> classes = classes();
     if (classes.isPresent()) {
       classes.get().check();
     }
-    new KnownRobots(phoenix.state()).remember(robot);
+    Patience patience = Patience.of(TIME);
+    if (robot.registrar().isPresent()) {
+      PortUse.ofOthers(phoenix.admin(), robot.name(), patience)
+          .requireFree(robot.name(), host, robot.registrar().get());
+    }
+    KnownRobots known = new KnownRobots(phoenix.state());
+    boolean wasKnown = known.isKnown(robot.name());
+    known.remember(robot);
     LaunchedJars.keepFor(phoenix.state()); // before its journal names them
-    List<Service> services = new ArrayList<>();
-    BootstrapLoader loader = loader();
-    // Steps 2 and 3: the registrar, so that the modules find it when they start.
-    for (GroupDescription group : robot.groups()) {
-      if (group.registrar().isPresent()) {
-        services.add(registrar.bringUp(loader, group, group.registrar().get()));
+    BootstrapLoader loader = loader(patience);
+    try {
+      return new BringUp(phoenix, robot, loader, registrar, settings(), patience, listener).run();
+    } catch (ActivationException | IOException | RuntimeException e) {
+      if (!wasKnown) {
+        forgetUnlessRegistered(known, loader, e);
       }
+      throw e;
     }
-    // Steps 4 to 8: the modules. Their XML and properties were read with the robot's description.
-    for (GroupDescription group : robot.groups()) {
-      ActivationGroupID groupId = loader.group(group);
-      for (ModuleDescription module : group.modules()) {
-        Service service = register(loader, groupId, group.name(), module);
-        ServiceStart.of(service, module.place());
-        services.add(service);
+  }
+
+  /** Where nothing of the robot is registered, nobody is to look for it here. */
+  private void forgetUnlessRegistered(
+      KnownRobots known, BootstrapLoader loader, Exception failure) {
+    try {
+      if (loader.registered().isEmpty()) {
+        known.forget(robot.name());
       }
+    } catch (ActivationException | IOException e) {
+      failure.addSuppressed(e); // it stays known
     }
-    return services;
+  }
+
+  private BringUp.ModuleSettings settings() {
+    return new BringUp.ModuleSettings() {
+      @Override
+      public ModuleActivation of(ModuleDescription module, ModuleIdentity identity) {
+        return activation(module, identity);
+      }
+
+      @Override
+      public Path folder(ModuleDescription module) {
+        return RobotBootstrap.folder(phoenix.state(), robot.name(), module.name());
+      }
+    };
+  }
+
+  private ModuleActivation activation(ModuleDescription module, ModuleIdentity identity) {
+    return new ModuleActivation(
+        module,
+        identity.id(),
+        identity.created(),
+        host,
+        places.groups(),
+        places.locators(),
+        folder(phoenix.state(), robot.name(), module.name()).toString());
+  }
+
+  /** Identities of the robot's modules that are registered with this phoenix. */
+  public Set<UUID> identities() throws ActivationException, IOException {
+    return loader(Patience.of(TIME)).modules().stream()
+        .map(each -> each.activation().id())
+        .collect(Collectors.toSet());
+  }
+
+  /** The address or name of this host that the robot's proxies carry. */
+  public String host() {
+    return host;
+  }
+
+  /**
+   * Which other robot of this phoenix has the port of this one's class server, as a clause; empty
+   * if none has.
+   */
+  public Optional<String> classPortTaken() throws ActivationException, IOException {
+    int port = robot.registrar().map(RegistrarDescription::classes).orElse(0);
+    return PortUse.ofOthers(phoenix.admin(), robot.name(), Patience.of(TIME))
+        .of(host, port)
+        .map(PortUse.Use::inWords);
   }
 
   /**
@@ -103,26 +176,13 @@ public final class RobotBootstrap {
     return DownloadJars.of(robot, host, phoenix.state());
   }
 
-  private Service register(
-      BootstrapLoader loader, ActivationGroupID groupId, String group, ModuleDescription module)
-      throws ActivationException, IOException {
-    return loader.module(
-        groupId,
-        group,
-        module,
-        host,
-        places.locators(),
-        places.groups(),
-        folder(phoenix.state(), robot.name(), module.name()));
-  }
-
   /** Where a module keeps what outlives its virtual machine. */
   static Path folder(Path state, String robot, String module) {
     return state.toAbsolutePath().resolve("modules").resolve(robot).resolve(module);
   }
 
-  private BootstrapLoader loader() throws IOException {
-    return new BootstrapLoader(phoenix.admin(), phoenix.system(), robot.name(), classes());
+  private BootstrapLoader loader(Patience patience) throws IOException {
+    return new BootstrapLoader(phoenix, robot.name(), classes(), patience);
   }
 
   /**
@@ -135,16 +195,18 @@ public final class RobotBootstrap {
    */
   public Service add(ModuleDescription module, String group)
       throws ActivationException, IOException {
-    BootstrapLoader loader = loader();
-    BootstrapLoader.@Nullable Registered known = loader.registered().get(module.name());
-    if (known != null) {
-      throw new ConfigurationException(
-          module.place()
-              + ": there is a module "
-              + module.path()
-              + " already, in group "
-              + known.group()
-              + "; replace it, or rename one of the two");
+    Patience patience = Patience.of(TIME);
+    BootstrapLoader loader = loader(patience);
+    for (RegisteredGroup.Module known : loader.modules()) {
+      if (known.name().equals(module.name())) {
+        throw new ConfigurationException(
+            module.place()
+                + ": there is a module "
+                + module.path()
+                + " already, in group "
+                + known.group()
+                + "; replace it, or rename one of the two");
+      }
     }
     requireOwn(module);
     GroupDescription home =
@@ -162,8 +224,12 @@ public final class RobotBootstrap {
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
     LaunchedJars.keepFor(phoenix.state());
-    Service service = register(loader, loader.group(home), group, module);
-    ServiceStart.of(service, module.place());
+    Path folder = folder(phoenix.state(), robot.name(), module.name());
+    ModuleIdentity identity = ModuleIdentity.kept(folder).orElseGet(ModuleIdentity::fresh);
+    identity.keep(folder);
+    ActivationID id = loader.module(loader.group(home), group, activation(module, identity));
+    Service service = new Service(module.path(), group, id);
+    ServiceStart.of(service, module.place(), patience);
     return service;
   }
 
@@ -175,10 +241,12 @@ public final class RobotBootstrap {
    * @throws ActivationException if it cannot be activated
    */
   public void start(String module) throws ActivationException, IOException {
-    BootstrapLoader.Registered known = known(loader(), module, "start");
+    Patience patience = Patience.of(TIME);
+    RegisteredGroup.Module known = known(loader(patience), module, "start");
     ServiceStart.of(
         new Service(robot.name() + "/" + module, known.group(), known.id()),
-        known.activation().module().place());
+        known.activation().module().place(),
+        patience);
   }
 
   /**
@@ -190,7 +258,9 @@ public final class RobotBootstrap {
    * @throws ActivationException if it cannot be activated
    */
   public RemoteModule reach(String module) throws ActivationException, IOException {
-    return (RemoteModule) known(loader(), module, "reach").id().activate(false);
+    // One question: who calls for an emergency asks again himself, and waits for nothing.
+    Patience none = Patience.of(Duration.ZERO);
+    return (RemoteModule) known(loader(none), module, "reach").id().activate(false);
   }
 
   /**
@@ -201,13 +271,15 @@ public final class RobotBootstrap {
    * @throws ActivationException if it cannot be registered or activated
    */
   public Service replace(ModuleDescription module) throws ActivationException, IOException {
-    BootstrapLoader loader = loader();
-    BootstrapLoader.Registered old = known(loader, module.name(), "replace");
+    Patience patience = Patience.of(TIME);
+    BootstrapLoader loader = loader(patience);
+    RegisteredGroup.Module old = known(loader, module.name(), "replace");
     requireOwn(module);
-    RunningModule running = RunningModule.of(old);
-    Service service = register(loader, old.groupId(), old.group(), module);
-    running.deactivate();
-    ServiceStart.of(service, module.place());
+    ModuleIdentity identity = new ModuleIdentity(old.activation().id(), old.activation().created());
+    ActivationID id = loader.module(old.groupId(), old.group(), activation(module, identity));
+    new ModuleEnd(phoenix.admin(), END).deactivate(old);
+    Service service = new Service(module.path(), old.group(), id);
+    ServiceStart.of(service, module.place(), patience);
     return service;
   }
 
@@ -219,10 +291,8 @@ public final class RobotBootstrap {
    * @throws ConfigurationException if the robot has no module of that name
    */
   public void remove(String module) throws ActivationException, IOException {
-    BootstrapLoader.Registered old = known(loader(), module, "remove");
-    RunningModule running = RunningModule.of(old);
-    phoenix.system().unregisterObject(old.id());
-    running.destroy();
+    RegisteredGroup.Module old = known(loader(Patience.of(TIME)), module, "remove");
+    new ModuleEnd(phoenix.admin(), END).forget(old);
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
   }
 
@@ -233,21 +303,22 @@ public final class RobotBootstrap {
     }
   }
 
-  private BootstrapLoader.Registered known(BootstrapLoader loader, String module, String what)
-      throws ActivationException, RemoteException {
-    Map<String, BootstrapLoader.Registered> modules = loader.registered();
-    BootstrapLoader.@Nullable Registered known = modules.get(module);
-    if (known == null) {
-      throw new ConfigurationException(
-          "there is no module "
-              + robot.name()
-              + "/"
-              + module
-              + " to "
-              + what
-              + "; the robot has "
-              + modules.keySet());
-    }
-    return known;
+  private RegisteredGroup.Module known(BootstrapLoader loader, String module, String what)
+      throws ActivationException, IOException {
+    List<RegisteredGroup.Module> modules = loader.modules();
+    return modules.stream()
+        .filter(each -> each.name().equals(module))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new ConfigurationException(
+                    "there is no module "
+                        + robot.name()
+                        + "/"
+                        + module
+                        + " to "
+                        + what
+                        + "; the robot has "
+                        + modules.stream().map(RegisteredGroup.Module::name).sorted().toList()));
   }
 }

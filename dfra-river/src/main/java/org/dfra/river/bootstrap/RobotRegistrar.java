@@ -3,7 +3,6 @@ package org.dfra.river.bootstrap;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationException;
 import java.util.Arrays;
 import java.util.List;
@@ -11,7 +10,6 @@ import java.util.Set;
 import net.jini.admin.JoinAdmin;
 import net.jini.core.entry.Entry;
 import net.jini.lookup.DiscoveryAdmin;
-import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.RobotBootstrap.Service;
@@ -42,41 +40,36 @@ final class RobotRegistrar {
   }
 
   /**
-   * Registers it with the activation system, starts it and tells it what the description says now.
+   * What it is activated with.
    *
-   * @param group the service group that it is in
-   * @throws ActivationException if it cannot be registered or activated
+   * @throws IOException if the folder of what it keeps cannot be made
+   */
+  String[] arguments(RegistrarDescription description) throws IOException {
+    Path folder = state.resolve("registrars");
+    Files.createDirectories(folder);
+    return RegistrarArguments.of(
+        host, description.port(), folder.resolve(robot.name()), robot.lookupGroups(), multicast);
+  }
+
+  /**
+   * Starts it where it does not run, and tells it what the description says now.
+   *
+   * @throws ActivationException if it cannot be activated
    * @throws IOException if it cannot be told its port or its groups, such as when the port is taken
    */
-  Service bringUp(BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
+  void start(Service service, RegistrarDescription description, Patience patience)
       throws ActivationException, IOException {
-    Service service = register(loader, group, description);
-    ServiceStart.of(service, description.place());
+    ServiceStart.of(service, description.place(), patience);
     try {
-      settle((DiscoveryAdmin) service.id().activate(false), description);
+      patience.run(() -> settle((DiscoveryAdmin) service.id().activate(false), description));
     } catch (IOException e) {
       throw new IOException(description.place() + ": " + service.name() + ": " + e.getMessage(), e);
     }
-    showPersona((JoinAdmin) service.id().activate(false)); // reggie's remote interface is one
-    return service;
+    // Reggie's remote interface is one.
+    patience.run(() -> showPersona((JoinAdmin) service.id().activate(false)));
   }
 
-  private Service register(
-      BootstrapLoader loader, GroupDescription group, RegistrarDescription description)
-      throws ActivationException, IOException {
-    Path folder = state.resolve("registrars");
-    Files.createDirectories(folder);
-    String[] arguments =
-        RegistrarArguments.of(
-            host,
-            description.port(),
-            folder.resolve(robot.name()),
-            robot.lookupGroups(),
-            multicast);
-    return loader.registrar(group, description, new MarshalledObject<>(arguments));
-  }
-
-  /** Reggie reads its port and groups only once in its life; what changed since is told to it. */
+  /** Reggie reads its port and groups only once in its life; what changed since is set. */
   private void settle(DiscoveryAdmin registrar, RegistrarDescription description)
       throws IOException {
     if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {

@@ -1,77 +1,120 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
-import java.rmi.RemoteException;
+import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
-import org.dfra.core.config.RobotDescription;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.dfra.river.phoenix.PhoenixAdmin;
 
-/** Takes one robot out of the phoenix of its host, while that and other robots go on. */
+/**
+ * Takes robots out of the phoenix of their host: their processes end and nothing of them stays
+ * registered, while phoenix and other robots go on.
+ *
+ * <p>The processes are ended by signal: each closes its modules in an orderly way. So nobody need
+ * answer, and what hangs is killed.
+ */
 public final class RobotRemoval {
 
-  private static final Logger LOG = LoggerFactory.getLogger(RobotRemoval.class);
+  private final PhoenixAdmin admin;
+  private final GroupEnd end;
+  private final Patience patience;
+  private final Duration time;
 
-  private RobotRemoval() {}
+  private record Group(ActivationGroupID id, String name, boolean registrar) {}
+
+  private RobotRemoval(PhoenixProcess phoenix, Duration time) {
+    this.admin = phoenix.admin();
+    this.patience = Patience.of(time);
+    this.end = new GroupEnd(phoenix, patience);
+    this.time = time;
+  }
 
   /**
-   * Removes the robot's modules, its registrar last, and forgets its groups.
+   * Removes one robot.
    *
-   * @param patience how long each of its processes may take to end before it is killed
+   * @param time how long each of its processes may take to end before it is killed, and how long
+   *     phoenix is asked again where it does not answer
    */
-  public static void of(PhoenixProcess phoenix, String robot, Duration patience)
-      throws IOException, ActivationException, InterruptedException {
-    KnownRobots known = new KnownRobots(phoenix.state());
-    Optional<RobotDescription> description = known.find(robot);
-    List<ServiceGroup> groups =
-        new ArrayList<>(
-            Inventory.of(phoenix).stream().filter(each -> each.robot().equals(robot)).toList());
-    groups.sort((one, other) -> Boolean.compare(one.registrar(), other.registrar()));
-    for (ServiceGroup group : groups) {
-      if (description.isPresent() && group.status().pid() >= 0) {
-        RobotBootstrap bootstrap = new RobotBootstrap(phoenix, description.get());
-        for (String module : group.modules()) {
-          remove(bootstrap, robot, module);
-        }
-      }
-      phoenix.system().unregisterGroup(group.id());
-      end(group, patience);
-    }
-    known.forget(robot);
-  }
-
-  /** In an orderly way, so that its device is closed and it leaves the lookup services. */
-  private static void remove(RobotBootstrap bootstrap, String robot, String module)
+  public static void of(PhoenixProcess phoenix, String robot, Duration time)
       throws IOException, ActivationException {
-    try {
-      bootstrap.remove(module);
-    } catch (RemoteException e) {
-      LOG.warn("{}/{} does not answer ({}); its process is ended.", robot, module, e.toString());
-    }
+    new RobotRemoval(phoenix, time).remove(name -> name.startsWith(robot + "."));
+    new KnownRobots(phoenix.state()).forget(robot);
   }
 
-  private static void end(ServiceGroup group, Duration patience) throws InterruptedException {
-    long pid = group.status().pid();
-    Optional<ProcessHandle> process = pid < 0 ? Optional.empty() : ProcessHandle.of(pid);
-    if (process.isEmpty()) {
-      return;
+  /** Removes all robots, as {@link #of}. */
+  public static void ofAll(PhoenixProcess phoenix, Duration time)
+      throws IOException, ActivationException {
+    new RobotRemoval(phoenix, time).remove(name -> true);
+    new KnownRobots(phoenix.state()).forgetAll();
+  }
+
+  /** Names of the robots that have a group registered with a phoenix, in alphabetical order. */
+  public static List<String> robots(PhoenixProcess phoenix, Duration time)
+      throws IOException, ActivationException {
+    return new RobotRemoval(phoenix, time)
+        .names().values().stream()
+            .map(name -> name.substring(0, name.indexOf('.')))
+            .distinct()
+            .sorted()
+            .toList();
+  }
+
+  /** The robots' groups, and their names as {@code robot.group}. */
+  private Map<ActivationGroupID, String> names() throws IOException, ActivationException {
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> all = patience.ask(admin::getActivationGroups);
+    Map<ActivationGroupID, String> names = new LinkedHashMap<>();
+    all.forEach(
+        (id, desc) -> {
+          String name = RegisteredGroup.fullName(desc);
+          if (name.indexOf('.') > 0) {
+            names.put(id, name);
+          }
+        });
+    return names;
+  }
+
+  private void remove(Predicate<String> wanted) throws IOException, ActivationException {
+    List<Group> groups = new ArrayList<>();
+    for (Map.Entry<ActivationGroupID, String> each : names().entrySet()) {
+      if (wanted.test(each.getValue())) {
+        groups.add(empty(each.getKey(), each.getValue()));
+      }
     }
-    process.get().destroy();
-    try {
-      process.get().onExit().get(patience.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (TimeoutException e) {
-      LOG.warn("Process {} of group {} did not end; it is killed.", pid, group.name());
-      process.get().destroyForcibly();
-    } catch (ExecutionException e) {
-      throw new IllegalStateException("a process's end cannot fail", e);
+    // The registrars last: until then modules can leave them.
+    end(groups.stream().filter(each -> !each.registrar()).toList());
+    end(groups.stream().filter(Group::registrar).toList());
+  }
+
+  /** Forgets what is in a group, so that phoenix starts nothing in it again. */
+  private Group empty(ActivationGroupID group, String name)
+      throws IOException, ActivationException {
+    boolean isRegistrars = false;
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationID, ActivationDesc> objects =
+        patience.ask(() -> admin.getActivatableObjects(group));
+    for (Map.Entry<ActivationID, ActivationDesc> each : objects.entrySet()) {
+      isRegistrars |= each.getValue().getClassName().equals(BootstrapLoader.REGGIE);
+      end.unregister(each.getKey());
+    }
+    return new Group(group, name, isRegistrars);
+  }
+
+  private void end(List<Group> groups) throws IOException, ActivationException {
+    for (Group each : groups) { // all at once; then each is waited for
+      end.begin(each.name());
+    }
+    for (Group each : groups) {
+      end.end(each.name(), time);
+      end.unregister(each.id());
     }
   }
 }

@@ -1,6 +1,6 @@
 package org.dfra.river.bootstrap;
 
-import java.rmi.RemoteException;
+import java.io.IOException;
 import java.rmi.activation.ActivationException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -31,11 +31,13 @@ final class ServiceStart {
    * Activates a service; nothing happens where it runs.
    *
    * @param place where it is described
+   * @param patience for phoenix's answer: on a busy computer a process takes long to start
    * @throws ActivationException if it did not start: where it is described, which it is, and why
    */
-  static void of(Service service, Place place) throws ActivationException, RemoteException {
+  static void of(Service service, Place place, Patience patience)
+      throws ActivationException, IOException {
     try {
-      service.id().activate(false);
+      patience.ask(() -> service.id().activate(false));
     } catch (ActivationException e) {
       // Without the cause: an activation exception's message repeats its cause's.
       String known = place + ": module " + service.name() + ": ";

@@ -75,6 +75,17 @@ public record RobotClasses(
     return options;
   }
 
+  /** The port at which a group with these options serves classes; empty if it serves none. */
+  public static Optional<Integer> servedPort(List<String> options) {
+    String place = "-D" + PLACE + "=";
+    return options.contains("-D" + SERVE + "=true")
+        ? options.stream()
+            .filter(each -> each.startsWith(place))
+            .map(each -> Integer.valueOf(each.substring(each.lastIndexOf(':') + 1)))
+            .findFirst()
+        : Optional.empty();
+  }
+
   /** What this virtual machine was told; empty if its robot serves nothing. */
   static Optional<RobotClasses> told(Properties properties) {
     String place = properties.getProperty(PLACE);

@@ -9,8 +9,11 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
 import java.rmi.server.UID;
+import java.time.Duration;
 import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.river.phoenix.Group.Maker;
 import org.jspecify.annotations.Nullable;
@@ -23,12 +26,19 @@ final class ActivatableObject {
 
   private static final int ATTEMPTS = 2;
 
+  /** Shorter than the deadline of the calls that wait for it. */
+  private static final Duration MAKING_AWAITED = Duration.ofSeconds(8);
+
+  private static final long NEVER = -1;
+
   final UID uid;
   final Group group;
   private final ReentrantLock lock = new ReentrantLock();
   private volatile ActivationDesc desc;
   private volatile @Nullable Known known;
   private volatile @Nullable Ready ready;
+  private volatile long inactiveIn = NEVER; // the incarnation that said so last
+  private volatile boolean retired;
 
   /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
   private record Known(MarshalledObject<? extends Remote> proxy, long incarnation) {}
@@ -76,6 +86,9 @@ final class ActivatableObject {
   private MarshalledObject<? extends Remote> make(ActivationID id) throws ActivationException {
     @Nullable Exception last = null;
     for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
+      if (retired) {
+        throw new UnknownObjectException("the object was unregistered");
+      }
       Maker maker = group.maker();
       try {
         MarshalledObject<? extends Remote> proxy = maker.instantiator().newInstance(id, desc);
@@ -131,6 +144,7 @@ final class ActivatableObject {
 
   /** The object's group says that it is not active any more. */
   void inactive() {
+    inactiveIn = group.incarnation();
     known = null;
   }
 
@@ -147,8 +161,75 @@ final class ActivatableObject {
         : OptionalLong.empty();
   }
 
-  /** Whether its proxy is known and its group works. */
-  boolean isActive() {
-    return knownProxy() != null;
+  /**
+   * Whether its proxy is known and its group works, or its group works since before this phoenix
+   * did and nobody knows.
+   */
+  boolean mayBeActive() {
+    return knownProxy() != null || isUnknown();
+  }
+
+  private boolean isUnknown() {
+    return group.isTakenBack() && inactiveIn != group.incarnation();
+  }
+
+  /**
+   * The object's proxy where it is active; null where it is not.
+   *
+   * @throws ActivationException if it takes too long to be made
+   */
+  @Nullable MarshalledObject<? extends Remote> activeProxy(ActivationID id)
+      throws ActivationException {
+    awaitMade();
+    try {
+      @Nullable MarshalledObject<? extends Remote> proxy = knownProxy();
+      return proxy == null && isUnknown() ? make(id) : proxy;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Has nobody make it any more, unless it is active.
+   *
+   * @return whether it is retired now
+   * @throws ActivationException if it takes too long to be made
+   */
+  boolean retireUnlessActive() throws ActivationException {
+    awaitMade();
+    try {
+      retired = !mayBeActive();
+      return retired;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** It was unregistered: whoever waits to have it made does not get it. */
+  void retire() {
+    retired = true;
+  }
+
+  /** Its registration stays after all. */
+  void unretire() {
+    retired = false;
+  }
+
+  private void awaitMade() throws ActivationException {
+    try {
+      if (lock.tryLock(MAKING_AWAITED.toMillis(), TimeUnit.MILLISECONDS)) {
+        return;
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    throw new ActivationException(
+        "an object of group "
+            + group.name
+            + " ("
+            + desc.getClassName()
+            + ") is still being made after "
+            + MAKING_AWAITED.toSeconds()
+            + " s; ask again");
   }
 }

@@ -184,10 +184,35 @@ final class Daemon {
   void unregisterObject(UID uid) throws ActivationException {
     requireRunning();
     synchronized (groups) {
-      object(uid);
+      ActivatableObject object = object(uid);
       journal.commit(new Change.ObjectUnregistered(uid));
       objects.remove(uid);
+      object.retire();
     }
+  }
+
+  /** Unregisters an object that is not active; false, with nothing changed, if it is. */
+  boolean unregisterInactive(ActivatableObject object) throws ActivationException {
+    requireRunning();
+    if (!object.retireUnlessActive()) {
+      return false;
+    }
+    try {
+      unregisterObject(object.uid);
+      return true;
+    } catch (ActivationException | RuntimeException e) {
+      object.unretire();
+      throw e;
+    }
+  }
+
+  /** The activation IDs of those of a group's objects that may be active. */
+  List<ActivationID> activeObjects(ActivationGroupID id) throws UnknownGroupException {
+    Group group = group(id);
+    return objects.values().stream()
+        .filter(object -> object.group == group && object.mayBeActive())
+        .map(object -> activationID(object.uid))
+        .toList();
   }
 
   Group group(ActivationGroupID id) throws UnknownGroupException {

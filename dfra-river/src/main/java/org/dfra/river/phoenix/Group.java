@@ -307,6 +307,16 @@ final class Group {
     }
   }
 
+  /** Whether a former daemon started the process that works now. */
+  boolean isTakenBack() {
+    lock.lock();
+    try {
+      return current.adopted() && current.state() == State.ACTIVE;
+    } finally {
+      lock.unlock();
+    }
+  }
+
   /** The incarnation started last. */
   long incarnation() {
     lock.lock();

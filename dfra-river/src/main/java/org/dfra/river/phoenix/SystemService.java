@@ -1,5 +1,7 @@
 package org.dfra.river.phoenix;
 
+import java.rmi.MarshalledObject;
+import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
@@ -13,6 +15,7 @@ import java.rmi.activation.UnknownObjectException;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import org.jspecify.annotations.Nullable;
 
 /** Registration and administration, for callers on this machine. */
 final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMonitor {
@@ -134,5 +137,25 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public List<GroupStatus> groupStatus() throws RemoteException {
     admit("groupStatus");
     return daemon.status();
+  }
+
+  @Override
+  public List<ActivationID> activeObjects(ActivationGroupID id)
+      throws ActivationException, RemoteException {
+    admit("activeObjects");
+    return daemon.activeObjects(id);
+  }
+
+  @Override
+  public @Nullable MarshalledObject<? extends Remote> activeProxy(ActivationID id)
+      throws ActivationException, RemoteException {
+    admit("activeProxy");
+    return ActivatorService.object(daemon, id).activeProxy(id);
+  }
+
+  @Override
+  public boolean unregisterInactive(ActivationID id) throws ActivationException, RemoteException {
+    admit("unregisterInactive");
+    return daemon.unregisterInactive(ActivatorService.object(daemon, id));
   }
 }

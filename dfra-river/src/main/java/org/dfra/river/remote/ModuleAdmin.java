@@ -45,6 +45,9 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * Ends the module until it is called again: it leaves the lookup services, closes its device and
    * tells the activation system, which then starts it as it is described by then. Returns when that
    * is done.
+   *
+   * @throws RemoteException if no answer came, or a part of it did not close well; its device may
+   *     be open then
    */
   void deactivate() throws RemoteException;
 

@@ -219,10 +219,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   private void end() throws RemoteException {
+    @Nullable RemoteException unclean = null;
     try {
       server.close();
     } catch (IllegalStateException e) {
       LOG.warn("A module did not end cleanly: {}", e.toString(), e);
+      unclean = new RemoteException(String.valueOf(e.getMessage())); // the cause need not travel
     }
     if (id != null) {
       try {
@@ -230,6 +232,9 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       } catch (ActivationException e) {
         LOG.debug("{} was inactive before.", id, e);
       }
+    }
+    if (unclean != null) { // whoever wants its device must know
+      throw unclean;
     }
   }
 

@@ -255,4 +255,54 @@ class GroupLifeTest extends GroupFixture {
           "I/O exception connecting", new java.net.SocketException("Too many open files"));
     }
   }
+
+  @Test
+  void whatIsActiveIsToldWithoutStartingAnything() throws Exception {
+    assertThat(phoenix.admin().activeProxy(object)).isNull();
+    assertThat(phoenix.admin().activeObjects(group)).isEmpty();
+    assertThat(phoenix.status(0).state()).isEqualTo(State.IDLE);
+
+    FakeGroup fake = active();
+    assertThat(phoenix.admin().activeProxy(object)).as("another one is").isNull();
+    object.activate(false);
+    assertThat(phoenix.admin().activeProxy(object).get()).isEqualTo(fake.proxy);
+    assertThat(phoenix.admin().activeObjects(group)).hasSize(2).contains(object);
+    assertThat(fake.made).as("times asked").hasValue(1);
+  }
+
+  @Test
+  void onlyAnInactiveObjectIsUnregistered() throws Exception {
+    FakeGroup fake = active();
+    object.activate(false);
+    assertThat(phoenix.admin().unregisterInactive(object)).isFalse();
+    assertThat(object.activate(false)).isEqualTo(fake.proxy);
+
+    system.activeGroup(group, fake.proxy, 1).inactiveObject(object);
+    assertThat(phoenix.admin().unregisterInactive(object)).isTrue();
+    assertThatExceptionOfType(UnknownObjectException.class)
+        .isThrownBy(() -> object.activate(false));
+    assertThatExceptionOfType(UnknownObjectException.class)
+        .isThrownBy(() -> phoenix.admin().unregisterInactive(object));
+  }
+
+  @Test
+  void anObjectThatIsBeingMadeIsAwaitedBeforeItIsSaidToBeInactive() throws Exception {
+    FakeGroup fake = active();
+    CyclicBarrier making = new CyclicBarrier(2);
+    fake.making = () -> meet(making);
+    Future<?> activated = activate(object, false);
+    await("it is being made").atMost(InVmPhoenix.PATIENCE).until(() -> fake.made.get() == 1);
+    Future<Boolean> unregistered = threads.submit(() -> phoenix.admin().unregisterInactive(object));
+    meet(making);
+    assertThat(activated.get()).isEqualTo(fake.proxy);
+    assertThat(unregistered.get()).as("it was made").isFalse();
+  }
+
+  private static void meet(CyclicBarrier barrier) throws ActivationException {
+    try {
+      barrier.await();
+    } catch (InterruptedException | java.util.concurrent.BrokenBarrierException e) {
+      throw new ActivationException("the test is over", e);
+    }
+  }
 }

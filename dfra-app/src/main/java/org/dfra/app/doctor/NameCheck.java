@@ -1,0 +1,48 @@
+package org.dfra.app.doctor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.dfra.app.team.Namesakes;
+
+/** Whether each robot of the team has a name of its own. */
+final class NameCheck implements Check {
+
+  /** Looks for robots that share a name. */
+  interface Names {
+    /** The hosts of each name that more than one robot has. */
+    Map<String, List<String>> namesakes() throws InterruptedException;
+  }
+
+  private final Names names;
+
+  NameCheck(Names names) {
+    this.names = names;
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.ROBOT_NAME;
+  }
+
+  @Override
+  public List<Finding> examine() throws InterruptedException {
+    List<Finding> findings = new ArrayList<>();
+    names
+        .namesakes()
+        .forEach(
+            (robot, hosts) ->
+                findings.add(
+                    Finding.fail(
+                        subject(),
+                        Namesakes.inWords(robot, hosts)
+                            + ", so whoever calls "
+                            + robot
+                            + " may get either",
+                        "Take one of them down, give it another name in its XML and bring it up"
+                            + " again; until then name a module as "
+                            + robot
+                            + "@HOST/MODULE.")));
+    return findings;
+  }
+}

@@ -1,0 +1,110 @@
+package org.dfra.app.team;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A module as people name it: {@code module}, {@code robot/module}, or {@code robot@host/module}
+ * where several robots have that name. In place of the host the beginning of the module's service
+ * ID tells two on one host apart.
+ *
+ * @param text as it was written
+ * @param robot name of the robot; null where none is named
+ * @param place host, or the beginning of a service ID; null where none is named
+ * @param module name of the module
+ */
+record ModuleName(String text, @Nullable String robot, @Nullable String place, String module) {
+
+  /** Enough of a service ID to be told from another. */
+  private static final int ID_LENGTH = 8;
+
+  static ModuleName of(String text) {
+    int slash = text.lastIndexOf('/');
+    if (slash < 0) {
+      return new ModuleName(text, null, null, text);
+    }
+    String robot = text.substring(0, slash);
+    int at = robot.indexOf('@');
+    return new ModuleName(
+        text,
+        at < 0 ? robot : robot.substring(0, at),
+        at < 0 ? null : robot.substring(at + 1),
+        text.substring(slash + 1));
+  }
+
+  /** Whether a robot's module has these names, wherever it runs. */
+  boolean isOf(String ofRobot, String ofModule) {
+    return module.equals(ofModule) && (robot == null || robot.equals(ofRobot));
+  }
+
+  /** What is looked for, wherever it runs. */
+  ModuleQuery<Module> query() {
+    ModuleQuery<Module> named = ModuleQuery.of(Module.class).name(module);
+    return robot == null ? named : named.robot(robot);
+  }
+
+  /** Those of the modules found that are at the named place; all where none is named. */
+  List<ModuleListing<Module>> at(List<ModuleListing<Module>> found) {
+    @Nullable String wanted = place;
+    return wanted == null
+        ? found
+        : found.stream()
+            .filter(
+                each ->
+                    Namesakes.host(each).equals(wanted)
+                        || (wanted.length() >= ID_LENGTH
+                            && each.id().toString().startsWith(wanted)))
+            .toList();
+  }
+
+  /**
+   * The one that is meant. What no lookup service vouches for counts only where nothing else is
+   * there.
+   *
+   * @param found all that have the names, at least one of which is at the named place
+   * @throws CommandFailure if it is more than one
+   */
+  ModuleListing<Module> choose(List<ModuleListing<Module>> found) {
+    List<ModuleListing<Module>> here = at(found);
+    List<ModuleListing<Module>> living = here.stream().filter(each -> !each.stale()).toList();
+    List<ModuleListing<Module>> meant = living.isEmpty() ? here : living;
+    if (meant.size() == 1) {
+      return meant.get(0);
+    }
+    throw new CommandFailure(
+        ExitCode.NOT_FOUND,
+        "there are several modules "
+            + text
+            + "; name one of "
+            + meant.stream()
+                .map(each -> fullName(each, meant))
+                .sorted()
+                .collect(Collectors.joining(", ")));
+  }
+
+  /** As short as tells it from the others. */
+  private static String fullName(
+      ModuleListing<Module> listing, List<ModuleListing<Module>> others) {
+    boolean isAlone =
+        others.stream().filter(each -> each.path().equals(listing.path())).count() == 1;
+    if (isAlone) {
+      return listing.path();
+    }
+    String host = Namesakes.host(listing);
+    boolean isAloneThere =
+        !host.isEmpty()
+            && others.stream()
+                    .filter(each -> each.path().equals(listing.path()))
+                    .filter(each -> Namesakes.host(each).equals(host))
+                    .count()
+                == 1;
+    String place = isAloneThere ? host : listing.id().toString().substring(0, ID_LENGTH);
+    return listing.robot() + "@" + place + "/" + listing.name();
+  }
+}

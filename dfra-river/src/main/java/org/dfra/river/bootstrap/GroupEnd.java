@@ -1,0 +1,129 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownGroupException;
+import java.rmi.activation.UnknownObjectException;
+import java.time.Duration;
+import java.util.Optional;
+import org.dfra.river.phoenix.GroupStatus;
+import org.dfra.river.phoenix.GroupStatus.State;
+import org.dfra.river.phoenix.PhoenixAdmin;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Ends service groups: their processes are gone before phoenix forgets them. */
+final class GroupEnd {
+
+  private static final Logger LOG = LoggerFactory.getLogger(GroupEnd.class);
+
+  private final PhoenixProcess phoenix;
+  private final PhoenixAdmin admin;
+  private final Patience patience;
+
+  /**
+   * @param patience for phoenix's answers
+   */
+  GroupEnd(PhoenixProcess phoenix, Patience patience) {
+    this.phoenix = phoenix;
+    this.admin = phoenix.admin();
+    this.patience = patience;
+  }
+
+  /** Phoenix forgets an object; nothing happens where it did before. Its process is not touched. */
+  void unregister(ActivationID object) throws IOException, ActivationException {
+    try {
+      patience.run(() -> phoenix.system().unregisterObject(object));
+    } catch (UnknownObjectException e) {
+      LOG.debug("{} was unregistered before.", object, e);
+    }
+  }
+
+  /** Phoenix forgets a group; nothing happens where it did before. */
+  void unregister(ActivationGroupID group) throws IOException, ActivationException {
+    try {
+      patience.run(() -> phoenix.system().unregisterGroup(group));
+    } catch (UnknownGroupException e) {
+      LOG.debug("{} was unregistered before.", group, e);
+    }
+  }
+
+  /**
+   * What phoenix says of a group; empty where it has none of that name.
+   *
+   * @param name {@code robot.group}
+   */
+  Optional<GroupStatus> status(String name) throws IOException, ActivationException {
+    return patience.ask(admin::groupStatus).stream()
+        .filter(each -> plain(each.name()).equals(name))
+        .findFirst();
+  }
+
+  /** A group's name as the bootstrap gave it, without phoenix's number. */
+  static String plain(String daemonsName) {
+    return daemonsName.replaceFirst("^\\d+-", "");
+  }
+
+  /** Has a group's process end in an orderly way; does not wait for it. */
+  void begin(String name) throws IOException, ActivationException {
+    status(name).flatMap(GroupEnd::process).ifPresent(ProcessHandle::destroy);
+  }
+
+  /**
+   * Ends the process of a group in which nothing is registered any more, and waits until phoenix
+   * has seen it dead.
+   *
+   * @param time how long it may take before it is killed
+   */
+  void end(String name, Duration time) throws IOException, ActivationException {
+    Patience polite = Patience.of(time);
+    @Nullable ProcessHandle ended = null;
+    while (true) {
+      Optional<GroupStatus> status = status(name);
+      if (status.isEmpty() || status.get().state() == State.IDLE) {
+        return;
+      }
+      ended = end(name, process(status.get()), ended, polite);
+    }
+  }
+
+  /**
+   * Ends a group's process and waits until it is dead; phoenix starts another one for what is
+   * registered in the group.
+   *
+   * @param time how long it may take before it is killed
+   */
+  void restart(String name, Duration time) throws IOException, ActivationException {
+    Optional<ProcessHandle> old = status(name).flatMap(GroupEnd::process);
+    Patience polite = Patience.of(time);
+    @Nullable ProcessHandle ended = null;
+    while (old.isPresent()
+        && old.get().isAlive()
+        && status(name).flatMap(GroupEnd::process).equals(old)) {
+      ended = end(name, old, ended, polite);
+    }
+  }
+
+  private static Optional<ProcessHandle> process(GroupStatus status) {
+    return status.pid() < 0 ? Optional.empty() : ProcessHandle.of(status.pid());
+  }
+
+  /** Ends it, politely the first time, by force when its time is over; returns which it was. */
+  private static @Nullable ProcessHandle end(
+      String name,
+      Optional<ProcessHandle> process,
+      @Nullable ProcessHandle before,
+      Patience polite) {
+    if (process.isPresent() && !process.get().equals(before)) {
+      process.get().destroy();
+    } else if (process.isPresent() && polite.isOver()) {
+      LOG.warn("Process {} of group {} did not end; it is killed.", process.get().pid(), name);
+      process.get().destroyForcibly();
+    }
+    polite.pause();
+    return process.orElse(before);
+  }
+}

@@ -1,0 +1,28 @@
+package org.dfra.river.bootstrap;
+
+import java.rmi.activation.ActivationException;
+import org.jspecify.annotations.Nullable;
+
+/** A module's end is not proven: it may have its device open. */
+final class NotEndedException extends ActivationException {
+
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param why it is not proven, as a clause
+   */
+  NotEndedException(RegisteredGroup.Module module, String why, @Nullable Throwable cause) {
+    super(
+        module.activation().module().path()
+            + " may still work in group "
+            + module.group()
+            + ": "
+            + why
+            + "; end its process with ./dfra module kill "
+            + module.activation().module().path()
+            + " and try again");
+    if (cause != null) {
+      addSuppressed(cause); // as a cause its message would be told twice
+    }
+  }
+}

@@ -1,0 +1,102 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
+import java.rmi.activation.ActivationException;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
+import org.dfra.river.call.DeadlineExceededException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The time that a command has. On a busy computer an answer misses its deadline now and then, so a
+ * question that may be asked twice is asked again until that time is over.
+ */
+final class Patience {
+
+  private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+
+  private final LongSupplier nanos;
+  private final Runnable pause;
+  private final long end;
+
+  /**
+   * @param time how long the command may take from now on
+   * @param nanos a clock that is never set, in nanoseconds
+   * @param pause waits a moment, so that a refused connection is not tried in a tight loop
+   */
+  Patience(Duration time, LongSupplier nanos, Runnable pause) {
+    this.nanos = nanos;
+    this.pause = pause;
+    this.end = nanos.getAsLong() + time.toNanos();
+  }
+
+  /** By this machine's clock. */
+  static Patience of(Duration time) {
+    return new Patience(time, System::nanoTime, () -> LockSupport.parkNanos(PAUSE_NANOS));
+  }
+
+  /** Something that may be done twice: a question, or a change that is made only where needed. */
+  interface Question<T> {
+    T ask() throws IOException, ActivationException;
+  }
+
+  /**
+   * The answer. Only where none comes is the question asked again; a refusal is an answer.
+   *
+   * @throws IOException as the question does; that no answer came only when the time is over
+   * @throws ActivationException likewise
+   */
+  <T> T ask(Question<T> question) throws IOException, ActivationException {
+    while (true) {
+      try {
+        return question.ask();
+      } catch (IOException | ActivationException e) {
+        if (!isWithoutAnswer(e) || isOver()) {
+          throw e;
+        }
+        pause();
+      }
+    }
+  }
+
+  /** Something that may be done twice and has no answer but that it was done. */
+  interface Action {
+    void run() throws IOException, ActivationException;
+  }
+
+  /** Has something done; as {@link #ask}. */
+  void run(Action action) throws IOException, ActivationException {
+    Boolean unused =
+        ask(
+            () -> {
+              action.run();
+              return true;
+            });
+  }
+
+  /** Whether the command's time is over. */
+  boolean isOver() {
+    return nanos.getAsLong() - end >= 0;
+  }
+
+  /** Waits a moment. */
+  void pause() {
+    pause.run();
+  }
+
+  /** Whether nobody answered, rather than that somebody refused. */
+  static boolean isWithoutAnswer(Throwable failure) {
+    for (@Nullable Throwable at = failure; at != null; at = at.getCause()) {
+      if (at instanceof DeadlineExceededException
+          || at instanceof ConnectException
+          || at instanceof ConnectIOException) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

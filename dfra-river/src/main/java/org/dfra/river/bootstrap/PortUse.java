@@ -1,0 +1,113 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.rmi.activation.ActivationDesc;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.phoenix.PhoenixAdmin;
+
+/** Which TCP ports the other robots of a phoenix have, so that a clash is named by its robot. */
+final class PortUse {
+
+  /**
+   * One port.
+   *
+   * @param robot name of the robot that has it
+   * @param what what it is for, such as {@code registrar}
+   */
+  record Use(String host, int port, String robot, String what) {
+
+    /** {@code port 4160 is used by robot atrv2's registrar}. */
+    String inWords() {
+      return "port " + port + " is used by robot " + robot + "'s " + what;
+    }
+  }
+
+  private final List<Use> uses;
+
+  PortUse(List<Use> uses) {
+    this.uses = List.copyOf(uses);
+  }
+
+  /** Those of every robot but one. */
+  static PortUse ofOthers(PhoenixAdmin admin, String robot, Patience patience)
+      throws IOException, ActivationException {
+    return patience.ask(
+        () -> {
+          List<Use> uses = new ArrayList<>();
+          @SuppressWarnings("unchecked") // as phoenix declares it
+          Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
+          for (Map.Entry<ActivationGroupID, ActivationGroupDesc> each : groups.entrySet()) {
+            String name = RegisteredGroup.fullName(each.getValue());
+            int dot = name.indexOf('.');
+            if (dot > 0 && !name.substring(0, dot).equals(robot)) {
+              @SuppressWarnings("unchecked") // as phoenix declares it
+              Map<ActivationID, ActivationDesc> objects =
+                  admin.getActivatableObjects(each.getKey());
+              for (ActivationDesc object : objects.values()) {
+                add(uses, name.substring(0, dot), object, each.getValue());
+              }
+            }
+          }
+          return new PortUse(uses);
+        });
+  }
+
+  private static void add(
+      List<Use> uses, String robot, ActivationDesc object, ActivationGroupDesc group)
+      throws ActivationException {
+    if (object.getClassName().equals(BootstrapLoader.REGGIE)
+        && RegisteredGroup.data(object) instanceof String[] arguments) {
+      String host = RegistrarArguments.host(List.of(arguments)).orElse("");
+      uses.add(new Use(host, RegistrarArguments.port(List.of(arguments)), robot, "registrar"));
+      RobotClasses.servedPort(List.of(group.getCommandEnvironment().getCommandOptions()))
+          .ifPresent(port -> uses.add(new Use(host, port, robot, "class server")));
+    }
+  }
+
+  /** Who has a port; empty if none of the others has, or it is 0. */
+  Optional<Use> of(String host, int port) {
+    return uses.stream()
+        .filter(each -> port != 0 && each.port() == port && isSame(each.host(), host))
+        .findFirst();
+  }
+
+  private static boolean isSame(String one, String other) {
+    try {
+      return one.equals(other) || InetAddress.getByName(one).equals(InetAddress.getByName(other));
+    } catch (UnknownHostException e) {
+      return false;
+    }
+  }
+
+  /**
+   * Refuses a registrar at a port that another robot has.
+   *
+   * @throws ConfigurationException naming that robot
+   */
+  void requireFree(String robot, String host, RegistrarDescription registrar) {
+    of(host, registrar.port())
+        .ifPresent(
+            use -> {
+              throw new ConfigurationException(
+                  registrar.place()
+                      + ": "
+                      + robot
+                      + "/registrar cannot start: "
+                      + use.inWords()
+                      + "; give one of the two another port, or ./dfra down "
+                      + use.robot());
+            });
+  }
+}

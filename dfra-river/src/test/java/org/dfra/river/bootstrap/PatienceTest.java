@@ -1,0 +1,76 @@
+package org.dfra.river.bootstrap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.BindException;
+import java.rmi.ConnectException;
+import java.rmi.activation.ActivationException;
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+/** A command's questions on a computer that is busy; its clock is stepped here. */
+class PatienceTest {
+
+  private final AtomicLong nanos = new AtomicLong(Long.MAX_VALUE - 1_000); // it overflows soon
+  private final AtomicInteger asked = new AtomicInteger();
+  private final Patience patience =
+      new Patience(
+          Duration.ofSeconds(10),
+          nanos::get,
+          () -> nanos.addAndGet(Duration.ofSeconds(2).toNanos()));
+
+  @Test
+  void asksAgainWhereNoAnswerCame() throws Exception {
+    String answer =
+        patience.ask(
+            () -> {
+              if (asked.incrementAndGet() < 4) {
+                throw new ConnectException("nobody there");
+              }
+              return "here";
+            });
+    assertThat(answer).isEqualTo("here");
+    assertThat(asked).hasValue(4);
+  }
+
+  @Test
+  void asksAgainWhereSomebodyElseGotNoAnswer() throws Exception {
+    patience.run(
+        () -> {
+          if (asked.incrementAndGet() == 1) {
+            throw new ActivationException("2 attempts", new ConnectException("nobody there"));
+          }
+        });
+    assertThat(asked).hasValue(2);
+  }
+
+  @Test
+  void givesUpWhenTheCommandsTimeIsOver() {
+    assertThatThrownBy(
+            () ->
+                patience.ask(
+                    () -> {
+                      asked.incrementAndGet();
+                      throw new ConnectException("nobody there");
+                    }))
+        .isInstanceOf(ConnectException.class);
+    assertThat(asked).as("once, and after each of five pauses of 2 s").hasValue(6);
+    assertThat(patience.isOver()).isTrue();
+  }
+
+  @Test
+  void aRefusalIsAnAnswer() {
+    assertThatThrownBy(
+            () ->
+                patience.run(
+                    () -> {
+                      asked.incrementAndGet();
+                      throw new BindException("port 4160 is taken");
+                    }))
+        .isInstanceOf(BindException.class);
+    assertThat(asked).hasValue(1);
+  }
+}

@@ -1,0 +1,284 @@
+package org.dfra.robot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.FreePorts;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.example.thermometer.Thermometer;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.river.bootstrap.BringUpStep;
+import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.bootstrap.RobotRemoval;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A robot whose description is changed between two bringings up, under a phoenix that runs: a
+ * registrar in group {@code lookup}, a drive with one device and an eye in other groups.
+ */
+class ReconfiguredRobotIT {
+
+  private static final String HOST = "127.0.0.1";
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  @TempDir static Path folder;
+
+  private static LivingPhoenix phoenix;
+  private static int port;
+  private final List<String> steps = new ArrayList<>();
+  private JiniModuleDirectory directory;
+
+  @BeforeAll
+  static void startPhoenix() throws IOException {
+    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    port = FreePorts.next();
+  }
+
+  @AfterAll
+  static void endPhoenix() throws IOException {
+    try (LivingPhoenix ended = phoenix) {
+      assertThat(ended).isNotNull();
+    }
+  }
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    up(drive(1, "one") + eye(1, "two"));
+    directory = new JiniModuleDirectory(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
+    steps.clear();
+  }
+
+  @AfterEach
+  void nothingHadTwoDrivers() {
+    directory.close();
+    assertThat(DeviceInUseImpl.twice(device("drive"))).doesNotExist();
+    assertThat(DeviceInUseImpl.twice(device("eye"))).doesNotExist();
+  }
+
+  private static Path device(String name) {
+    return folder.resolve(name + ".device");
+  }
+
+  private static String drive(int celsius, String group) {
+    return group(group, module("drive", celsius));
+  }
+
+  private static String eye(int celsius, String group) {
+    return group(group, module("eye", celsius));
+  }
+
+  private static String group(String name, String content) {
+    return "<group name=\"" + name + "\">\n" + content + "</group>\n";
+  }
+
+  private static String module(String name, int celsius) {
+    return """
+    <module name="%s" server="%s" proxy="%s" driver="%s">
+      <parameter name="celsius" value="%d"/>
+      <parameter name="device" value="%s"/>
+    </module>
+    """
+        .formatted(
+            name,
+            ThermometerServer.class.getName(),
+            ThermometerProxy.class.getName(),
+            DeviceInUseImpl.class.getName(),
+            celsius,
+            device(name));
+  }
+
+  /** Brings robot mu up with these groups beside that of its registrar. */
+  private void up(String groups) throws Exception {
+    up("mu", group("lookup", "<registrar port=\"" + port + "\" classes=\"off\"/>\n") + groups);
+  }
+
+  private void up(String robot, String groups) throws Exception {
+    Path xml =
+        Files.writeString(
+            folder.resolve(robot + ".xml"),
+            "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"%s\">\n%s</robot>\n"
+                .formatted(robot, HOST, groups));
+    try {
+      List<RobotBootstrap.Service> unused =
+          new RobotBootstrap(phoenix.process(), RobotXml.read(xml))
+              .up(step -> steps.add(inWords(step)));
+    } finally {
+      phoenix.note();
+    }
+  }
+
+  private static String inWords(BringUpStep step) {
+    return (step.kind() + " " + step.name() + " " + step.group() + " " + step.detail()).strip();
+  }
+
+  private ModuleListing<Thermometer> listed(String name) throws InterruptedException {
+    return directory
+        .findFirst(ModuleQuery.of(Thermometer.class).robot("mu").name(name), PATIENCE)
+        .orElseThrow();
+  }
+
+  private void awaitCelsius(String name, double celsius) {
+    await()
+        .atMost(PATIENCE)
+        .ignoreExceptions() // the directory may still list the former one
+        .until(() -> listed(name).module().celsius() == celsius);
+  }
+
+  @Test
+  void aModuleInAnotherGroupEndsInItsFormerOneFirstAndKeepsItsIdentity() throws Exception {
+    UUID id = listed("drive").id();
+
+    up(group("two", module("drive", 5) + module("eye", 1)));
+
+    assertThat(steps)
+        .containsExactly(
+            "GROUP_ENDED mu.one one",
+            "KEPT mu/registrar lookup",
+            "MOVED mu/drive two one",
+            "KEPT mu/eye two");
+    assertThat(device("drive")).as("a driver has it").exists();
+    awaitCelsius("drive", 5);
+    assertThat(listed("drive").id()).isEqualTo(id);
+    assertThat(groups()).containsExactly("mu.lookup", "mu.two");
+
+    steps.clear();
+    // Back again, while phoenix is about to start it in its former group.
+    phoenix.kill("mu.two");
+    up(drive(6, "one") + eye(1, "two"));
+    assertThat(steps).contains("MOVED mu/drive one two");
+    awaitCelsius("drive", 6);
+    assertThat(listed("drive").id()).isEqualTo(id);
+  }
+
+  @Test
+  void whatTheDescriptionDoesNotNameAnyMoreEnds() throws Exception {
+    assertThat(listed("eye").module().celsius()).isEqualTo(1);
+
+    up(drive(1, "one") + group("two", ""));
+
+    assertThat(steps).contains("ENDED mu/eye two", "KEPT mu/drive one");
+    assertThat(device("eye")).doesNotExist();
+    assertThat(device("drive")).exists();
+    await()
+        .atMost(PATIENCE)
+        .until(() -> directory.find(ModuleQuery.of(Thermometer.class).name("eye")).isEmpty());
+  }
+
+  @Test
+  void onlyWhatWasChangedIsStartedAnew() throws Exception {
+    Thermometer drive = listed("drive").module();
+    long process = phoenix.group("mu.two").pid();
+
+    up(drive(7, "one") + "<!-- further down -->\n\n" + eye(1, "two"));
+
+    assertThat(steps)
+        .containsExactly(
+            "KEPT mu/registrar lookup",
+            "RESTARTED mu/drive one parameter celsius",
+            "KEPT mu/eye two");
+    assertThat(drive.celsius()).as("through the proxy from before").isEqualTo(7);
+    assertThat(phoenix.group("mu.two").pid()).isEqualTo(process);
+
+    steps.clear();
+    up(
+        drive(7, "one")
+            + "<group name=\"two\"><jvm-option>-Xmx64m</jvm-option>"
+            + module("eye", 1)
+            + "</group>");
+    assertThat(steps).contains("KEPT mu/eye two", "GROUP_KEPT mu.two two");
+    assertThat(phoenix.group("mu.two").pid()).as("it works on").isEqualTo(process);
+  }
+
+  @Test
+  void aRegistrarThatMissesItsDeadlineIsAskedAgain() throws Exception {
+    long registrar = phoenix.group("mu.lookup").pid();
+    ScheduledExecutorService later = Executors.newSingleThreadScheduledExecutor();
+    signal("STOP", registrar);
+    try {
+      var unused = later.schedule(() -> signal("CONT", registrar), 4, TimeUnit.SECONDS);
+      up(drive(1, "one") + eye(1, "two"));
+    } finally {
+      later.shutdownNow();
+      signal("CONT", registrar);
+    }
+    assertThat(steps).contains("KEPT mu/registrar lookup", "KEPT mu/drive one");
+  }
+
+  private static Process signal(String name, long pid) throws IOException {
+    return new ProcessBuilder("kill", "-" + name, Long.toString(pid)).start();
+  }
+
+  @Test
+  void aPortOfAnotherRobotIsNamedWithItAndNothingIsLeftOfTheOneThatDidNotStart() throws Exception {
+    assertThatThrownBy(
+            () -> up("nu", group("lookup", "<registrar port=\"" + port + "\" classes=\"off\"/>\n")))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            folder.resolve("nu.xml")
+                + ":3: nu/registrar cannot start: port "
+                + port
+                + " is used by robot mu's registrar; give one of the two another port, or"
+                + " ./dfra down mu");
+    try (var taken = new java.net.ServerSocket(0, 0, java.net.InetAddress.getByName(HOST))) {
+      assertThatThrownBy(
+              () ->
+                  up(
+                      "nu",
+                      group(
+                          "lookup",
+                          "<registrar port=\"" + taken.getLocalPort() + "\" classes=\"off\"/>\n")))
+          .hasMessageContaining("nu/registrar did not start: port " + taken.getLocalPort());
+    }
+    assertThat(groups()).noneMatch(name -> name.startsWith("nu."));
+    assertThat(new KnownRobots(phoenix.process().state()).isKnown("nu")).isFalse();
+  }
+
+  @Test
+  void whatIsTakenDownIsForgottenAndComesBackAsTheSame() throws Exception {
+    UUID id = listed("drive").id();
+    List<ProcessHandle> processes = new ArrayList<>();
+    for (String group : List.of("mu.lookup", "mu.one", "mu.two")) {
+      processes.add(ProcessHandle.of(phoenix.group(group).pid()).orElseThrow());
+    }
+
+    RobotRemoval.of(phoenix.process(), "mu", PATIENCE);
+
+    assertThat(processes).noneMatch(ProcessHandle::isAlive);
+    assertThat(groups()).noneMatch(name -> name.startsWith("mu."));
+    assertThat(device("drive")).doesNotExist();
+    assertThat(phoenix.process().admin().groupStatus()).isEmpty();
+
+    up(drive(2, "one") + eye(1, "two"));
+    awaitCelsius("drive", 2);
+    assertThat(listed("drive").id()).isEqualTo(id);
+  }
+
+  private static List<String> groups() throws Exception {
+    return Inventory.of(phoenix.process(), PATIENCE).stream()
+        .map(each -> each.robot() + "." + each.name())
+        .toList();
+  }
+}
