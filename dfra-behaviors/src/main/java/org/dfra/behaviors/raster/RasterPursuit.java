@@ -3,6 +3,8 @@ package org.dfra.behaviors.raster;
 import java.rmi.RemoteException;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoalRefusedException;
@@ -26,6 +28,9 @@ final class RasterPursuit implements Pursuit {
   private int missed; // of those, the ones that were left out
   private int begun; // waypoints that were done when the path began
   private int missedBefore; // of those
+
+  /** What a path says first. */
+  private static final Pattern WAYPOINT = Pattern.compile("^waypoint (\\d{1,9}) of \\d+");
 
   /** Is told when more waypoints are done. */
   interface Counter {
@@ -79,7 +84,7 @@ final class RasterPursuit implements Pursuit {
       case CANCELLED:
         return Progress.held("its path was cancelled: " + status.doing(), done());
       default:
-        return Progress.going(lane() + ", " + status.doing(), done());
+        return Progress.going(lane() + ", " + ofAll(status.doing()), done());
     }
   }
 
@@ -116,6 +121,18 @@ final class RasterPursuit implements Pursuit {
             + (missed == 0
                 ? "it has been everywhere"
                 : missed + " of " + plan.waypoints().size() + " waypoints left out, barred"));
+  }
+
+  /** The path counts the waypoints since it began; a search that was taken up again has more. */
+  private String ofAll(String doing) {
+    Matcher counted = WAYPOINT.matcher(doing);
+    return counted.find()
+        ? "waypoint "
+            + (begun + Integer.parseInt(counted.group(1)))
+            + " of "
+            + plan.waypoints().size()
+            + doing.substring(counted.end())
+        : doing;
   }
 
   private String lane() {

@@ -111,7 +111,7 @@ public final class RasterDemo implements Demo {
                 .map(each -> each.toUpperCase(Locale.ROOT))
                 .toArray(String[]::new));
     metrics.rows().forEach(row -> table.row(row.toArray(String[]::new)));
-    tell.show(table.lines());
+    tell.show(table);
     double clearance = scores.stream().mapToDouble(Scores::clearance).min().orElse(0);
     long unfinished = scores.stream().filter(each -> !each.completed()).count();
     tell.figure("robots that did not come to the end of their lanes", unfinished, 0, "");
