@@ -82,6 +82,16 @@ public record Figure(String what, double measured, double most, String unit, boo
     return lines;
   }
 
+  /** What was measured, with its unit. */
+  String value() {
+    return (text(measured) + " " + unit).strip();
+  }
+
+  /** What is wanted, with its unit; empty where nothing is. */
+  String target() {
+    return isBounded() ? ("≤ " + text(most) + " " + unit).strip() : "";
+  }
+
   /** A number for CSV files: six digits, without zeros at the end. */
   static String exact(double value) {
     return new BigDecimal(value).round(SIX).stripTrailingZeros().toPlainString();

@@ -63,7 +63,8 @@ public final class RasterDemo implements Demo {
     List<Scores> scores = judge(flight);
     tell.chapter("writing the report", "The report");
     Path file =
-        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores).write(report);
+        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores, tell.figures())
+            .write(report);
     tell.say("Figures and tables are in %s, the numbers beside it as CSV.", file);
   }
 
