@@ -88,7 +88,8 @@ public final class Terminal implements Supplier<Terminal.Size> {
    * file or a pipe.
    */
   public static int columns() {
-    boolean isTerminal = Ansi.AUTO.enabled() || System.console() != null;
+    boolean isTerminal =
+        Ansi.AUTO.enabled() || (System.getenv("NO_COLOR") != null && System.console() != null);
     return columns(
         System.getenv("COLUMNS"), isTerminal ? () -> new Terminal().get() : () -> Size.USUAL);
   }
