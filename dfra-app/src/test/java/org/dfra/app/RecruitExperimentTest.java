@@ -69,7 +69,8 @@ class RecruitExperimentTest {
     assertThat(read(one.resolve("cells.csv")).lines()).hasSize(1 + 96 * 10);
     assertThat(read(one.resolve("claims.csv")).lines()).hasSize(1 + 24 * 3 * 10);
     assertThat(read(one.resolve("report.html")))
-        .contains("<svg", "What was wanted", "It LOSES", "no published number is reproduced")
+        .contains(
+            "<svg", "class=\"verdict", "Target", "It LOSES", "no published number is reproduced")
         .contains("benchmarks/recruit-letter-delays.csv");
     try (Stream<Path> files = Files.list(one)) {
       List<Path> pictures = files.filter(each -> each.toString().endsWith(".svg")).toList();

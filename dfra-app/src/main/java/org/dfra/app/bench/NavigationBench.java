@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +17,7 @@ import java.util.concurrent.Future;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.raster.Flight;
 import org.dfra.app.raster.Flight.RobotFlight;
@@ -151,6 +153,7 @@ final class NavigationBench implements Bench {
               Locale.ROOT, "  (%.0f s of this machine)", (System.nanoTime() - began) / 1e9));
     }
     write(all, folder.resolve("runs.csv"));
+    ReportHead.add(html, report.figures(), Instant.now());
     html.paragraph(
         "Every run is a whole search of the field of config/worlds/raster.xml with real drivers at"
             + " emulated devices, in lock-step (mode: local): the same seed gives the same run."

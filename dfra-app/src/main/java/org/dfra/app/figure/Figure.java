@@ -2,7 +2,11 @@ package org.dfra.app.figure;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import org.dfra.app.terminal.Words;
 
 /**
  * One measured figure.
@@ -11,10 +15,32 @@ import java.util.Locale;
  * @param measured the value
  * @param most the most it should be; infinite where it is only stated
  * @param unit the unit of both; empty for a plain number
+ * @param isTime whether it is how long something took, which depends on the computer and on what
+ *     else that does; false for what must be true on every computer
  */
-public record Figure(String what, double measured, double most, String unit) {
+public record Figure(String what, double measured, double most, String unit, boolean isTime) {
 
   private static final MathContext SIX = new MathContext(6);
+  private static final Set<String> TIMES = Set.of("s", "ms", "µs", "ns");
+
+  /** Columns that the numbers take beside what was measured. */
+  private static final int NUMBERS = 43;
+
+  /** Columns of what was measured, where there is room. */
+  private static final int NAME = 60;
+
+  /**
+   * A figure that is a time where its unit is one, unless it must be 0: "seconds in which two
+   * helped at once" must be true.
+   */
+  public Figure(String what, double measured, double most, String unit) {
+    this(what, measured, most, unit, TIMES.contains(unit) && most > 0);
+  }
+
+  /** The same as something that must be true, such as the time in which a robot stops. */
+  public Figure required() {
+    return new Figure(what, measured, most, unit, false);
+  }
 
   /** Whether it is what it should be. */
   public boolean isMet() {
@@ -26,15 +52,44 @@ public record Figure(String what, double measured, double most, String unit) {
     return most != Double.POSITIVE_INFINITY;
   }
 
-  /** A line of a table, marked {@code MISSED} where it is not what it should be. */
+  /** A line of a wide table, marked {@code MISSED} where it is not what it should be. */
   public String line() {
+    return String.join(" ", lines(NAME + NUMBERS));
+  }
+
+  /**
+   * The same in so many columns: what was measured is folded by word, and the numbers stand beside
+   * the last of its lines.
+   *
+   * @param columns of the terminal; below 60 is taken as 60
+   */
+  public List<String> lines(int columns) {
+    int wide = Math.min(NAME, Math.max(60, columns) - NUMBERS);
+    List<String> lines = new ArrayList<>();
+    List<String> name = Words.folded(what, wide);
+    name.subList(0, name.size() - 1).forEach(each -> lines.add("  " + each));
+    String last = name.get(name.size() - 1);
     String value =
-        String.format(Locale.ROOT, "  %-60s %9s %-3s", what, text(measured), unit).stripTrailing();
+        "  "
+            + Words.padded(last, wide)
+            + String.format(Locale.ROOT, " %9s %-3s", text(measured), unit);
     if (!isBounded()) {
-      return value;
+      lines.add(value.stripTrailing());
+      return lines;
     }
     String wanted = "wanted ≤ " + text(most) + (unit.isEmpty() ? "" : " " + unit);
-    return String.format(Locale.ROOT, "%-76s   %s%s", value, wanted, isMet() ? "" : "   MISSED");
+    lines.add(value + "  " + (isMet() ? wanted : Words.padded(wanted, 16) + " MISSED"));
+    return lines;
+  }
+
+  /** What was measured, with its unit. */
+  String value() {
+    return (text(measured) + " " + unit).strip();
+  }
+
+  /** What is wanted, with its unit; empty where nothing is. */
+  String target() {
+    return isBounded() ? ("≤ " + text(most) + " " + unit).strip() : "";
   }
 
   /** A number for CSV files: six digits, without zeros at the end. */

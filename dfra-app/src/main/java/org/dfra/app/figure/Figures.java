@@ -31,6 +31,21 @@ public final class Figures {
     return all.stream().filter(each -> !each.isMet()).toList();
   }
 
+  /** Those that must be true and are not. */
+  public List<Figure> untrue() {
+    return missed().stream().filter(each -> !each.isTime()).toList();
+  }
+
+  /** Times that are longer than they should be. */
+  public List<Figure> late() {
+    return missed().stream().filter(Figure::isTime).toList();
+  }
+
+  /** Whether any time has a limit. */
+  public boolean hasTimes() {
+    return all.stream().anyMatch(each -> each.isTime() && each.isBounded());
+  }
+
   /**
    * Appends them to a CSV file, which is begun with a header where it does not exist; with the
    * machine's load, of the last minute, since that spoils figures.

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import org.dfra.app.plot.Numerals;
 import org.dfra.app.terminal.Table;
+import org.dfra.app.terminal.Terminal;
 import org.dfra.behaviors.fuzzy.FuzzySystem;
 import org.dfra.behaviors.fuzzy.Methods;
 import org.dfra.behaviors.fuzzy.RuleSentences;
@@ -115,7 +116,7 @@ record SystemView(
     Table table = new Table("VARIABLE", "IS", "RANGE", "TERMS");
     inputs.forEach(each -> table.row(each.name(), "input", each.range(), each.words()));
     outputs.forEach(each -> table.row(each.name(), "output", each.range(), each.words()));
-    lines.addAll(table.lines());
+    lines.addAll(table.lines(Terminal.columns()));
     lines.add("");
     if (rules.size() <= MOST_RULES) {
       IntStream.range(0, rules.size())

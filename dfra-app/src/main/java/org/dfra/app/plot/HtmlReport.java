@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 
@@ -24,6 +25,10 @@ public final class HtmlReport {
       figure { margin: 1.5em 0; }
       figure svg { display: block; width: 100%; height: auto; }
       figcaption { color: #555; }
+      td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
+      .verdict { font-weight: bold; padding: 0.5em 1em; border-left: 6px solid; }
+      .met { color: #00573f; border-color: #009e73; background: #eef8f4; }
+      .missed { color: #8a3c00; border-color: #d55e00; background: #fdf2ea; }
       """;
 
   private final StringBuilder body = new StringBuilder();
@@ -39,14 +44,25 @@ public final class HtmlReport {
     return element("h2", text);
   }
 
+  /**
+   * Says first of all how it went.
+   *
+   * @param isWell whether all is as it should be
+   */
+  public HtmlReport verdict(boolean isWell, String text) {
+    body.append("<p class=\"verdict ").append(isWell ? "met" : "missed").append("\">");
+    body.append(escaped(Numerals.unbroken(text))).append("</p>\n");
+    return this;
+  }
+
   /** Adds a paragraph. */
   public HtmlReport paragraph(String text) {
     return element("p", text);
   }
 
   private HtmlReport element(String name, String text) {
-    body.append('<').append(name).append('>').append(escaped(text));
-    body.append("</").append(name).append(">\n");
+    body.append('<').append(name).append('>');
+    body.append(escaped(Numerals.unbroken(text))).append("</").append(name).append(">\n");
     return this;
   }
 
@@ -63,18 +79,27 @@ public final class HtmlReport {
             row.size() + " cells in a table of " + headings.size() + " columns");
       }
     }
+    List<Boolean> columns = new ArrayList<>();
+    for (int i = 0; i < headings.size(); i++) {
+      int column = i;
+      columns.add(Numerals.areNumbers(rows.stream().map(row -> row.get(column)).toList()));
+    }
     body.append("<table>\n<thead>");
-    row("th", headings);
+    row("th", headings, columns);
     body.append("</thead>\n<tbody>\n");
-    rows.forEach(row -> row("td", row));
+    rows.forEach(row -> row("td", row, columns));
     body.append("</tbody>\n</table>\n");
     return this;
   }
 
-  private void row(String cell, List<String> texts) {
+  /**
+   * @param areNumbers for each column whether it stands on the right
+   */
+  private void row(String cell, List<String> texts, List<Boolean> areNumbers) {
     body.append("<tr>");
-    for (String text : texts) {
-      body.append('<').append(cell).append('>').append(escaped(text));
+    for (int i = 0; i < texts.size(); i++) {
+      body.append('<').append(cell).append(areNumbers.get(i) ? " class=\"n\">" : ">");
+      body.append(escaped(Numerals.unbroken(texts.get(i))));
       body.append("</").append(cell).append('>');
     }
     body.append("</tr>\n");

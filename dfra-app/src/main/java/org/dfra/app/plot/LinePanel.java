@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import org.jspecify.annotations.Nullable;
 
 /** Values over time, or over any other quantity. Confined to one thread until it is painted. */
 public final class LinePanel implements Panel {
@@ -27,6 +29,8 @@ public final class LinePanel implements Panel {
   private final List<Span> spans = new ArrayList<>();
 
   private final List<Note> notes = new ArrayList<>();
+  private @Nullable Range shared; // with those above and below
+  private int left; // pixels beside the plot at the least
 
   /** A line from one side to the other with what it means. */
   private record Mark(boolean isMoment, double value, String label) {}
@@ -98,13 +102,47 @@ public final class LinePanel implements Panel {
     return this;
   }
 
-  @Override
-  public void paint(Graphics2D g, int width, int height) {
+  /**
+   * Has panels below one another that are over the same quantity show the same range of it, one
+   * value exactly below the other.
+   *
+   * @param width of each, in pixels
+   */
+  static void align(List<LinePanel> stacked, int width, int height) {
+    Range all = Range.of(stacked.stream().flatMapToDouble(LinePanel::across), 0);
+    stacked.forEach(each -> each.shared = all);
+    int left = 0;
+    for (LinePanel each : stacked) {
+      each.left = 0;
+      left = Math.max(left, (int) Math.ceil(each.plot(width, height).measured().getX()));
+    }
+    for (LinePanel each : stacked) {
+      each.left = left;
+    }
+  }
+
+  /** Whether it is over the same quantity as another. */
+  boolean isOverTheSameAs(LinePanel other) {
+    return x.equals(other.x);
+  }
+
+  private DoubleStream across() {
+    return all.stream().flatMapToDouble(each -> Arrays.stream(each.x()));
+  }
+
+  /** What is painted, with its ranges. */
+  Plot plot(int width, int height) {
     Plot plot = new Plot(title, x, y, all, this::paintMarks, width, height);
     plot.show(
-        x.over(Range.of(all.stream().flatMapToDouble(each -> Arrays.stream(each.x())), 0)),
+        x.over(shared == null ? Range.of(across(), 0) : shared),
         y.over(Range.of(all.stream().flatMapToDouble(each -> Arrays.stream(each.y())), MARGIN)));
-    plot.paint(g, this::paintLabels);
+    plot.leaveLeft(left);
+    return plot;
+  }
+
+  @Override
+  public void paint(Graphics2D g, int width, int height) {
+    plot(width, height).paint(g, this::paintLabels);
   }
 
   private void paintMarks(Graphics2D g, Plot plot) {

@@ -39,13 +39,19 @@ final class NumberTags {
     all.add(new Tag(new Point2D.Double(x, y), number));
   }
 
-  /** The first is placed first. */
+  /** The middles of the discs, in the order added; the first is placed first. */
+  List<Point2D> discs() {
+    List<Point2D> discs = new ArrayList<>();
+    all.forEach(each -> discs.add(place(each.at(), discs)));
+    return discs;
+  }
+
   void paint(Graphics2D g) {
     g.setStroke(Palette.THIN);
-    List<Point2D> discs = new ArrayList<>();
-    for (Tag each : all) {
-      Point2D disc = place(each.at(), discs);
-      discs.add(disc);
+    List<Point2D> discs = discs();
+    for (int i = 0; i < discs.size(); i++) {
+      Tag each = all.get(i);
+      Point2D disc = discs.get(i);
       g.setColor(Palette.INK);
       g.draw(new Line2D.Double(each.at(), disc));
       g.fill(circle(each.at(), POINT));
@@ -86,7 +92,23 @@ final class NumberTags {
         }
       }
     }
-    return new Point2D.Double(at.getX(), at.getY() - NEAREST); // all is full
+    return nearestFree(at, taken);
+  }
+
+  /** Anywhere in the area, or above its point where all of that is full. */
+  private Point2D nearestFree(Point2D at, List<Point2D> taken) {
+    Point2D best = new Point2D.Double(at.getX(), at.getY() - NEAREST);
+    double nearest = Double.POSITIVE_INFINITY;
+    for (double y = area.getMinY() + TAG; y <= area.getMaxY() - TAG; y += TAG) {
+      for (double x = area.getMinX() + TAG; x <= area.getMaxX() - TAG; x += TAG) {
+        Point2D disc = new Point2D.Double(x, y);
+        if (disc.distance(at) < nearest && isRoom(disc, taken)) {
+          nearest = disc.distance(at);
+          best = disc;
+        }
+      }
+    }
+    return best;
   }
 
   private boolean isRoom(Point2D disc, List<Point2D> taken) {

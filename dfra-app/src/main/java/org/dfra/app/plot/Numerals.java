@@ -2,13 +2,39 @@ package org.dfra.app.plot;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.List;
+import java.util.regex.Pattern;
 
 /** Numbers as people read them, at axes and elsewhere. */
 public final class Numerals {
 
   private static final MathContext DIGITS = new MathContext(10);
 
+  /** A number, perhaps with a sign, a second number after ±, and a unit. */
+  private static final Pattern NUMBER =
+      Pattern.compile(
+          "[≤≥<>~]?\\s?[-+−]?\\d[\\d.,]*(?:e[-−]?\\d+)?(?:[ \u00a0](?:[^\\d\\s]\\S{0,5}|±.{1,12}))*");
+
+  /** Between a number and its unit. */
+  private static final Pattern BREAK =
+      Pattern.compile(
+          "(?<=\\d) (?=(?:[kmµn]?[smgVAW]|[cm]m²?|m²|m/s|rad/s|rad|Hz|kHz|%|°|dB|min|h)(?![\\w/]))");
+
+  private static final Pattern SIGN = Pattern.compile("(?<=[≤≥±]) (?=\\d)");
+
   private Numerals() {}
+
+  /** A text in which no line ends between a number and its unit. */
+  public static String unbroken(String text) {
+    return SIGN.matcher(BREAK.matcher(text).replaceAll("\u00a0")).replaceAll("\u00a0");
+  }
+
+  /** Whether most cells of a column are numbers, so that it is read best on its right. */
+  static boolean areNumbers(List<String> cells) {
+    long told = cells.stream().filter(each -> !each.isBlank() && !each.equals("-")).count();
+    long numbers = cells.stream().filter(each -> NUMBER.matcher(each).matches()).count();
+    return numbers > 0 && 2 * numbers > told;
+  }
 
   /** With ten digits at most, and a power of ten where it is very large or small. */
   public static String of(double value) {

@@ -99,6 +99,7 @@ public final class Page {
         WIDTH / 2.0,
         MARGIN + TITLE_HEIGHT / 2.0 + Letters.height(Letters.TITLE) / 2,
         Letters.Side.MIDDLE);
+    alignStacked();
     int y = top();
     for (Row row : rows) {
       int count = row.panels().size();
@@ -110,6 +111,25 @@ public final class Page {
         g.setTransform(before);
       }
       y += row.height() + MARGIN;
+    }
+  }
+
+  /**
+   * Panels that have rows for themselves, one below the other, share the axis that they are over.
+   */
+  private void alignStacked() {
+    List<LinePanel> stacked = new ArrayList<>();
+    int height = 0;
+    for (Row row : rows) {
+      if (row.panels().size() == 1
+          && row.panels().get(0) instanceof LinePanel panel
+          && (stacked.isEmpty() || panel.isOverTheSameAs(stacked.get(0)))) {
+        stacked.add(panel);
+        height = row.height();
+      }
+    }
+    if (stacked.size() > 1) {
+      LinePanel.align(stacked, panelWidth(1), height);
     }
   }
 

@@ -23,6 +23,7 @@ public final class PathPanel implements Panel {
   private final Axis y;
   private final List<Series> all = new ArrayList<>();
   private final List<Note> notes = new ArrayList<>();
+  private final List<Series> ways = new ArrayList<>();
 
   /** A place with the number under which a list tells what happened there. */
   private record Note(double x, double y, String number) {}
@@ -48,6 +49,12 @@ public final class PathPanel implements Panel {
   public PathPanel add(Series... series) {
     all.addAll(Arrays.asList(series));
     return this;
+  }
+
+  /** Adds a path that was gone: with its start, its end, and arrows in its direction. */
+  public PathPanel addWay(Series way) {
+    ways.add(way);
+    return add(way);
   }
 
   /**
@@ -78,6 +85,11 @@ public final class PathPanel implements Panel {
   }
 
   private void paintNotes(Graphics2D g, Plot plot) {
+    List<String> names = Legend.names(all);
+    for (Series each : ways) {
+      int number = names.indexOf(each.name());
+      Direction.paint(g, plot, each, number < 0 ? Palette.GREY : Palette.colour(number));
+    }
     NumberTags tags = new NumberTags(plot.area());
     notes.forEach(each -> tags.add(plot.x(each.x()), plot.y(each.y()), each.number()));
     tags.paint(g);

@@ -229,6 +229,12 @@ final class Plot {
     return area;
   }
 
+  /** Leaves room for the labels of the vertical axis, as wide as others have it, in pixels. */
+  void leaveLeft(int pixels) {
+    XYStyler styler = chart.getStyler();
+    styler.setYAxisLeftWidthHint(Math.max(styler.getYAxisLeftWidthHint(), pixels));
+  }
+
   /** A ground that tells where there are no data. */
   static Layer paper(List<Series> all) {
     boolean isEmpty = all.stream().allMatch(Series::isEmpty);

@@ -38,6 +38,11 @@ public final class TablePanel implements Panel {
     return rows.size() * LINE_HEIGHT + MARGIN;
   }
 
+  /** Whether a column has numbers, which stand on the right. */
+  private boolean isNumbers(int column) {
+    return Numerals.areNumbers(rows.stream().skip(1).map(row -> row.get(column)).toList());
+  }
+
   @Override
   public void paint(Graphics2D g, int width, int height) {
     double first =
@@ -47,6 +52,10 @@ public final class TablePanel implements Panel {
                 .max()
                 .orElse(0);
     double other = (width - 2.0 * MARGIN - first) / Math.max(1, rows.get(0).size() - 1);
+    boolean[] isRight = new boolean[rows.get(0).size()];
+    for (int column = 0; column < isRight.length; column++) {
+      isRight[column] = isNumbers(column);
+    }
     g.setColor(Palette.HEAD);
     g.fill(new Rectangle2D.Double(MARGIN, 0, width - 2.0 * MARGIN, LINE_HEIGHT));
     for (int row = 0; row < rows.size(); row++) {
@@ -59,9 +68,9 @@ public final class TablePanel implements Panel {
             Letters.fitting(rows.get(row).get(column), Letters.PLAIN, wide - GAP),
             Letters.PLAIN,
             Palette.INK,
-            left + GAP,
+            isRight[column] ? left + wide - GAP : left + GAP,
             bottom - (LINE_HEIGHT - Letters.height(Letters.PLAIN)) / 2,
-            Letters.Side.LEFT);
+            isRight[column] ? Letters.Side.RIGHT : Letters.Side.LEFT);
         left += wide;
       }
       g.setColor(Palette.FAINT);

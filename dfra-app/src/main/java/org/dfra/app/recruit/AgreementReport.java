@@ -3,11 +3,13 @@ package org.dfra.app.recruit;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.Axis;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.LinePanel;
@@ -42,6 +44,8 @@ final class AgreementReport {
    */
   Path write(Path folder) throws IOException {
     HtmlReport html = new HtmlReport("Who comes when a robot calls: over remote events");
+    html.verdict(count(Agreement.Verdict.DIFFER) == 0, summary());
+    html.paragraph(ReportHead.date(Instant.now()));
     html.heading("Simulated and real transport").paragraph(setting);
     html.paragraph(
         String.format(

@@ -5,7 +5,9 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Locale;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.recruit.experiment.Estimate;
@@ -46,9 +48,8 @@ final class ExperimentReport {
     Files.createDirectories(folder);
     HtmlReport html = new HtmlReport("Who comes when a robot calls");
     ExperimentTables tables = new ExperimentTables(comparison, html);
+    ReportHead.add(html, comparison.figures(), Instant.now());
     setting(html);
-    html.heading("What was wanted");
-    tables.wanted();
     judgement(folder, html, tables);
     for (Metric metric : Metric.values()) {
       metric(folder, html, tables, metric);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import org.dfra.app.figure.Figure;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.recruit.experiment.Cell;
 import org.dfra.recruit.experiment.Claim;
@@ -25,20 +24,6 @@ final class ExperimentTables {
   ExperimentTables(Comparison comparison, HtmlReport html) {
     this.comparison = comparison;
     this.html = html;
-  }
-
-  /** What was wanted, and what came of it. */
-  void wanted() {
-    List<List<String>> rows = new ArrayList<>();
-    for (Figure each : comparison.figures().all()) {
-      rows.add(
-          List.of(
-              each.what(),
-              String.format(Locale.ROOT, "%.3f", each.measured()),
-              String.format(Locale.ROOT, "at most %s", each.most() == 0 ? "0" : each.most()),
-              each.isMet() ? "met" : "MISSED"));
-    }
-    html.table(List.of("Figure", "Measured", "Wanted", ""), rows);
   }
 
   /** In how many cells the affective strategy wins and loses. */

@@ -10,7 +10,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -43,10 +42,15 @@ public final class Answer {
     } else if (value.isEmpty()) {
       out().println(nothing);
     } else {
-      List<String> lines = table.lines();
-      Ansi ansi = spec.commandLine().getColorScheme().ansi();
-      out().println(ansi.string("@|bold " + lines.get(0) + "|@"));
-      lines.subList(1, lines.size()).forEach(out()::println);
+      List<String> lines = table.lines(Terminal.columns());
+      boolean isColoured =
+          spec.commandLine().getColorScheme().ansi().enabled()
+              && !"dumb".equals(System.getenv("TERM"));
+      out().println(isColoured ? Colour.bold(lines.get(0)) : lines.get(0));
+      lines.stream()
+          .skip(1)
+          .map(each -> isColoured ? Colour.of(each) : each)
+          .forEach(out()::println);
     }
     out().flush();
   }

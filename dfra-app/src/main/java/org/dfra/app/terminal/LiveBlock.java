@@ -21,7 +21,7 @@ public final class LiveBlock {
 
   private final Supplier<Terminal.Size> size;
   private List<String> lines = List.of(); // as they are to be shown
-  private int drawn; // lines that are there now
+  private List<String> drawn = List.of(); // lines that are there now
 
   /**
    * @param size of the terminal, asked for at each drawing
@@ -42,22 +42,31 @@ public final class LiveBlock {
    * @param text whole lines, each with its end
    */
   public String above(String text) {
-    return drawn == 0 ? text : erased() + text + shown();
+    return drawn.isEmpty() ? text : erased() + text + shown();
   }
 
   /** Whether anything is drawn. */
   public boolean isDrawn() {
-    return drawn > 0;
+    return !drawn.isEmpty();
   }
 
   /** What is drawn stays for good; what comes next comes below. */
   public void leave() {
     lines = List.of();
-    drawn = 0;
+    drawn = List.of();
   }
 
+  /**
+   * Goes up over what was drawn and clears it. A terminal that was made narrower has folded lines
+   * that do not fit any more, so they take more of its rows than they did.
+   */
   private String erased() {
-    return drawn == 0 ? "" : "\u001b[" + drawn + "A\u001b[J";
+    int columns = size.get().columns();
+    long rows = 0;
+    for (String line : drawn) {
+      rows += Math.max(1, (Words.width(line) + (long) columns - 1) / columns);
+    }
+    return rows == 0 ? "" : "\u001b[" + rows + "A\u001b[J";
   }
 
   /** No more than the terminal has room for: what has scrolled off cannot be drawn anew. */
@@ -67,7 +76,7 @@ public final class LiveBlock {
     for (String line : lines.subList(0, Math.min(lines.size(), Math.max(1, room.rows() - 1)))) {
       fitting.add(cut(line, room.columns()));
     }
-    drawn = fitting.size();
+    drawn = List.copyOf(fitting);
     if (fitting.isEmpty()) {
       return "";
     }
@@ -81,7 +90,7 @@ public final class LiveBlock {
    */
   public static String cut(String line, int columns) {
     String text = line.stripTrailing();
-    if (text.codePointCount(0, text.length()) <= columns) {
+    if (Words.width(text) <= columns) {
       return text;
     }
     return text.substring(0, text.offsetByCodePoints(0, columns - 1)) + MORE;

@@ -1,12 +1,15 @@
 package org.dfra.app.terminal;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 
 /**
- * Rows under headings, each column as wide as its widest cell. What is longer than a terminal can
- * show beside other columns goes on in the next line, below where it began.
+ * Rows under headings, each column as wide as its widest cell. Where that is wider than the
+ * terminal, the widest columns are folded by word; where words are too long even for that, each row
+ * becomes a paragraph, with a line for each cell. No word is ever broken.
  */
 public final class Table {
 
@@ -36,55 +39,102 @@ public final class Table {
     rows.add(List.of(cells));
   }
 
-  /** The lines, the headings first. */
+  /** The lines, the headings first, however wide. */
   public List<String> lines() {
-    List<List<String>> all = new ArrayList<>();
-    all.add(headings);
-    rows.forEach(row -> all.addAll(broken(row)));
-    int[] widths =
-        IntStream.range(0, headings.size())
-            .map(column -> all.stream().mapToInt(row -> width(row.get(column))).max().orElse(0))
-            .toArray();
-    return all.stream().map(row -> line(row, widths)).toList();
+    return lines(Integer.MAX_VALUE);
   }
 
-  /** The lines of a row, each with a cell for every column. */
-  private static List<List<String>> broken(List<String> row) {
-    List<List<String>> columns = row.stream().map(Table::pieces).toList();
-    int height = columns.stream().mapToInt(List::size).max().orElse(0);
-    return IntStream.range(0, height)
-        .mapToObj(i -> columns.stream().map(each -> i < each.size() ? each.get(i) : "").toList())
-        .toList();
-  }
-
-  /** A cell, broken at blanks. A word is never broken, so that it can be copied. */
-  private static List<String> pieces(String cell) {
-    if (width(cell) <= WIDEST) {
-      return List.of(cell);
-    }
-    List<String> pieces = new ArrayList<>();
-    StringBuilder piece = new StringBuilder();
-    for (String word : cell.split(" ", -1)) {
-      if (!piece.isEmpty() && width(piece + " " + word) > WIDEST) {
-        pieces.add(piece.toString());
-        piece.setLength(0);
+  /**
+   * The lines, the headings first.
+   *
+   * @param columns that the terminal has
+   */
+  public List<String> lines(int columns) {
+    int[] widths = widths(Words::width, WIDEST);
+    int[] least = widths(Words::longestWord, Integer.MAX_VALUE);
+    while (total(widths) > columns) {
+      int widest = foldable(widths, least);
+      if (widest < 0) {
+        return paragraphs(columns);
       }
-      piece.append(piece.isEmpty() ? "" : " ").append(word);
+      widths[widest]--;
     }
-    pieces.add(piece.toString());
-    return pieces;
+    List<String> lines = new ArrayList<>();
+    lines.addAll(folded(headings, widths));
+    rows.forEach(row -> lines.addAll(folded(row, widths)));
+    return lines;
   }
 
-  private static String line(List<String> cells, int[] widths) {
-    StringBuilder line = new StringBuilder();
-    for (int i = 0; i < cells.size(); i++) {
-      line.append(i == 0 ? "" : GAP).append(cells.get(i));
-      line.append(" ".repeat(widths[i] - width(cells.get(i))));
-    }
-    return line.toString().stripTrailing();
+  /** What the widest cell of each column takes; a word longer than the limit counts. */
+  private int[] widths(ToIntFunction<String> measure, int limit) {
+    return IntStream.range(0, headings.size())
+        .map(
+            column ->
+                rows.stream()
+                    .map(row -> row.get(column))
+                    .mapToInt(cell -> limited(cell, measure, limit))
+                    .reduce(measure.applyAsInt(headings.get(column)), Math::max))
+        .toArray();
   }
 
-  private static int width(String text) {
-    return text.codePointCount(0, text.length());
+  private static int limited(String cell, ToIntFunction<String> measure, int limit) {
+    int wide = measure.applyAsInt(cell);
+    return wide <= limit
+        ? wide
+        : Words.folded(cell, limit).stream().mapToInt(Words::width).max().orElse(0);
+  }
+
+  private static int total(int[] widths) {
+    return Arrays.stream(widths).sum() + GAP.length() * (widths.length - 1);
+  }
+
+  /** The widest column that can be narrower; -1 where none can. */
+  private static int foldable(int[] widths, int[] least) {
+    int widest = -1;
+    for (int i = 0; i < widths.length; i++) {
+      if (widths[i] > least[i] && (widest < 0 || widths[i] > widths[widest])) {
+        widest = i;
+      }
+    }
+    return widest;
+  }
+
+  /** The lines of a row. */
+  private static List<String> folded(List<String> row, int[] widths) {
+    List<List<String>> cells =
+        IntStream.range(0, widths.length)
+            .mapToObj(i -> Words.folded(row.get(i), widths[i]))
+            .toList();
+    int height = cells.stream().mapToInt(List::size).max().orElse(0);
+    List<String> lines = new ArrayList<>();
+    for (int line = 0; line < height; line++) {
+      StringBuilder text = new StringBuilder();
+      for (int i = 0; i < widths.length; i++) {
+        List<String> cell = cells.get(i);
+        text.append(i == 0 ? "" : GAP)
+            .append(Words.padded(line < cell.size() ? cell.get(line) : "", widths[i]));
+      }
+      lines.add(text.toString().stripTrailing());
+    }
+    return lines;
+  }
+
+  /** Each cell in a line of its own, behind its heading; the headings' line stays the first. */
+  private List<String> paragraphs(int columns) {
+    int name = headings.stream().mapToInt(Words::width).max().orElse(0);
+    int room = Math.max(1, columns - name - GAP.length());
+    List<String> lines = new ArrayList<>(Words.folded(String.join(GAP, headings), columns));
+    for (List<String> row : rows) {
+      for (int i = 0; i < row.size(); i++) {
+        String heading = headings.get(i);
+        for (String piece : Words.folded(row.get(i), room)) {
+          lines.add((Words.padded(heading, name) + GAP + piece).stripTrailing());
+          heading = "";
+        }
+      }
+      lines.add("");
+    }
+    lines.remove(lines.size() - 1);
+    return lines;
   }
 }

@@ -9,15 +9,16 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
 /**
- * The terminal that this process writes to. Its size is asked for again every {@value #SECONDS} s,
+ * The terminal that this process writes to. Its size is asked for again every {@value #MILLIS} ms,
  * since people drag windows. Not safe for use by several threads.
  */
 public final class Terminal implements Supplier<Terminal.Size> {
 
-  private static final int SECONDS = 5;
+  private static final int MILLIS = 150; // what is drawn anew by a wrong size leaves ghosts
   private static final long PATIENCE_MILLIS = 500;
   private static final Pattern STTY = Pattern.compile("\\s*(\\d{1,5})\\s+(\\d{1,5})\\s*");
 
@@ -79,13 +80,30 @@ public final class Terminal implements Supplier<Terminal.Size> {
    * {@code NO_COLOR} is set or the terminal is {@code dumb}.
    */
   public static boolean canRedraw() {
-    return Ansi.AUTO.enabled() && !"dumb".equals(System.getenv("TERM"));
+    return Colour.isWanted();
+  }
+
+  /**
+   * How wide a table may be: what {@code COLUMNS} says, or the terminal; {@link Size#USUAL} in a
+   * file or a pipe.
+   */
+  public static int columns() {
+    boolean isTerminal =
+        Ansi.AUTO.enabled() || (System.getenv("NO_COLOR") != null && System.console() != null);
+    return columns(
+        System.getenv("COLUMNS"), isTerminal ? () -> new Terminal().get() : () -> Size.USUAL);
+  }
+
+  static int columns(@Nullable String variable, Supplier<Size> size) {
+    return variable != null && variable.matches("[1-9]\\d{1,3}")
+        ? Integer.parseInt(variable)
+        : size.get().columns();
   }
 
   @Override
   public Size get() {
     long now = nanos.getAsLong();
-    if (last.isEmpty() || now - asked > TimeUnit.SECONDS.toNanos(SECONDS)) {
+    if (last.isEmpty() || now - asked > TimeUnit.MILLISECONDS.toNanos(MILLIS)) {
       asked = now;
       last = Optional.of(Size.read(stty.get()).or(() -> last).orElse(Size.USUAL));
     }

@@ -50,4 +50,30 @@ class FiguresTest {
         .anyMatch(row -> row.contains(",first,") && row.endsWith(",\"missed\",4.0625,3,s"))
         .anyMatch(row -> row.contains(",second,") && row.endsWith(",\"stated\",20,,B/s"));
   }
+
+  @Test
+  void aLineFitsEightyColumnsAndItsNameIsFoldedByWord() {
+    Figure longest =
+        new Figure("cold start of both robots to all modules working and shown", 1234.567, 16, "s");
+    List<String> lines = longest.lines(80);
+    assertThat(lines).hasSize(2).allMatch(line -> line.length() <= 80);
+    assertThat(String.join(" ", lines).strip().replaceAll(" +", " "))
+        .isEqualTo(
+            "cold start of both robots to all modules working and shown 1235 s wanted ≤ 16 s"
+                + " MISSED");
+    assertThat(longest.lines(200)).hasSize(1);
+  }
+
+  @Test
+  void aTimeIsNotWhatMustBeTrueButTheTimeInWhichARobotStopsIs() {
+    Figures figures = new Figures();
+    figures.add(new Figure("late", 7.3, 5, "s"));
+    figures.add(new Figure("seconds in which two helped at once", 28, 0, "s"));
+    figures.add(new Figure("collisions", 1, 0, ""));
+    figures.add(new Figure("to standing", 0.6, 0.5, "s").required());
+    assertThat(figures.late()).extracting(Figure::what).containsExactly("late");
+    assertThat(figures.untrue())
+        .extracting(Figure::what)
+        .containsExactly("seconds in which two helped at once", "collisions", "to standing");
+  }
 }

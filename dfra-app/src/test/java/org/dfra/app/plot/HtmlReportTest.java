@@ -36,7 +36,7 @@ class HtmlReportTest {
     assertThat(html)
         .contains("<title>Run 7 &amp; 8 &lt;fast&gt;</title>")
         .contains("<p>It went &quot;well&quot; &lt;script&gt;alert(1)&lt;/script&gt;.</p>")
-        .contains("<td>atrv1</td><td>&lt; 1 m/s</td>")
+        .contains("<td>atrv1</td><td class=\"n\">&lt; 1\u00a0m/s</td>")
         .contains("<figcaption>First &amp; best</figcaption>")
         .doesNotContain("<script")
         .doesNotContainPattern("\\son\\w+=");

@@ -52,6 +52,7 @@ class LiveBlockTest {
     screen.print(block.draw(List.of("a line of exactly 20", "a line with 21 in all")));
     assertThat(screen.lines()).containsExactly("a line of exactly 20", "a line with 21 in a…");
     size = new Size(8, 10);
+    screen.narrow(8);
     screen.print(block.above("no matter how wide what is said is" + END));
     assertThat(screen.lines())
         .containsExactly("no matter how wide what is said is", "a line …", "a line …");
@@ -84,5 +85,15 @@ class LiveBlockTest {
     assertThat(LiveBlock.cut("a 🚁 flies", 4)).isEqualTo("a 🚁…");
     assertThat(LiveBlock.cut("blanks at the end   ", 17)).isEqualTo("blanks at the end");
     assertThat(LiveBlock.cut("ab", 1)).isEqualTo("…");
+  }
+
+  /** As most terminals do: what does not fit any more goes on in the next row. */
+  @Test
+  void leavesNoGhostsWhereTheTerminalWasMadeNarrower() {
+    String first = block.draw(List.of("a line of exactly 20", "short"));
+    assertThat(first).contains("a line of exactly 20");
+    size = new Size(8, 10);
+    assertThat(block.draw(List.of("one"))).as("3 rows and 1").startsWith("\u001b[4A\u001b[J");
+    assertThat(block.draw(List.of("two"))).startsWith("\u001b[1A\u001b[J");
   }
 }

@@ -53,6 +53,26 @@ public final class Screen {
     }
   }
 
+  /** Is made so many columns wide: lines that do not fit any more go on in the next row. */
+  public void narrow(int columns) {
+    List<StringBuilder> folded = new ArrayList<>();
+    int at = row;
+    for (int i = 0; i < lines.size(); i++) {
+      if (i == row) {
+        at = folded.size();
+      }
+      String left = lines.get(i).toString();
+      do {
+        String piece = left.substring(0, Math.min(columns, left.length()));
+        folded.add(new StringBuilder(piece));
+        left = left.substring(piece.length());
+      } while (!left.isEmpty());
+    }
+    lines.clear();
+    lines.addAll(folded);
+    row = at;
+  }
+
   /** What it shows; not the empty line that the cursor is in. */
   public List<String> lines() {
     List<String> all = lines.stream().map(StringBuilder::toString).toList();

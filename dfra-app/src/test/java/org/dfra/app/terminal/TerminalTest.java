@@ -41,12 +41,20 @@ class TerminalTest {
     answer.set("24 100");
     assertThat(terminal.get().columns()).isEqualTo(100);
     answer.set("24 60");
-    nanos.addAndGet(TimeUnit.SECONDS.toNanos(5));
+    nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(150));
     assertThat(terminal.get().columns()).as("not yet").isEqualTo(100);
-    nanos.addAndGet(TimeUnit.SECONDS.toNanos(1));
+    nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(1));
     assertThat(terminal.get().columns()).isEqualTo(60);
     answer.set("");
-    nanos.addAndGet(TimeUnit.SECONDS.toNanos(6));
+    nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(151));
     assertThat(terminal.get().columns()).as("no answer this time").isEqualTo(60);
+  }
+
+  @Test
+  void aTableIsAsWideAsColumnsSaysOrTheTerminal() {
+    assertThat(Terminal.columns("132", () -> new Size(70, 24))).isEqualTo(132);
+    assertThat(Terminal.columns("", () -> new Size(70, 24))).isEqualTo(70);
+    assertThat(Terminal.columns("-3", () -> Size.USUAL)).isEqualTo(80);
+    assertThat(Terminal.columns(null, () -> Size.USUAL)).isEqualTo(80);
   }
 }

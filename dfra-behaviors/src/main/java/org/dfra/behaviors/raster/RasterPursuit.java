@@ -3,6 +3,8 @@ package org.dfra.behaviors.raster;
 import java.rmi.RemoteException;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoalRefusedException;
@@ -21,6 +23,9 @@ import org.jspecify.annotations.Nullable;
  * The next process of a search goes on with the path that its dead one had driven.
  */
 final class RasterPursuit implements Pursuit {
+
+  /** What a path says first. */
+  private static final Pattern WAYPOINT = Pattern.compile("^waypoint (\\d{1,9}) of \\d+");
 
   private final RasterPlan plan;
   private final double tolerance;
@@ -98,7 +103,7 @@ final class RasterPursuit implements Pursuit {
       case PAUSED: // as by a brake: whoever resumes the search has what is left begun anew
         return Progress.held("its path is paused: " + status.doing(), done());
       default:
-        return Progress.going(lane() + ", " + status.doing(), done());
+        return Progress.going(lane() + ", " + ofAll(status.doing()), done());
     }
   }
 
@@ -157,6 +162,18 @@ final class RasterPursuit implements Pursuit {
             + (missed == 0
                 ? "it has been everywhere"
                 : missed + " of " + plan.waypoints().size() + " waypoints left out, barred"));
+  }
+
+  /** The path counts the waypoints since it began; a search that was taken up again has more. */
+  private String ofAll(String doing) {
+    Matcher counted = WAYPOINT.matcher(doing);
+    return counted.find()
+        ? "waypoint "
+            + (begun + Integer.parseInt(counted.group(1)))
+            + " of "
+            + plan.waypoints().size()
+            + doing.substring(counted.end())
+        : doing;
   }
 
   private String lane() {

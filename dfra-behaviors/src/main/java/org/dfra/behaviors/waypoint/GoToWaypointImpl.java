@@ -76,6 +76,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
             attempts,
             overshoot),
         new Leg(from, goal.to()),
-        goal.tolerance());
+        goal.tolerance(),
+        goal.limit());
   }
 }

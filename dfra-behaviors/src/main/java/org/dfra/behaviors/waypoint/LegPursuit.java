@@ -1,6 +1,7 @@
 package org.dfra.behaviors.waypoint;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -48,20 +49,34 @@ final class LegPursuit implements Pursuit {
   private final Means means;
   private final Leg leg;
   private final double tolerance;
+  private final long began; // nanoseconds of the robot's time
+  private final @Nullable Duration limit;
   private final StuckWatch watch = new StuckWatch(STANDING, NOWHERE);
   private @Nullable Senses senses;
   private @Nullable Recovery recovery;
   private int recoveries;
   private double whole = Double.NaN; // metres to go at the beginning
+  private double share; // of the way that is driven, 0 to 1
 
-  LegPursuit(Means means, Leg leg, double tolerance) {
+  /**
+   * @param limit the leg has failed when this has passed from now on; null for no limit
+   */
+  LegPursuit(Means means, Leg leg, double tolerance, @Nullable Duration limit) {
     this.means = means;
     this.leg = leg;
     this.tolerance = tolerance;
+    this.began = means.nanos().getAsLong();
+    this.limit = limit;
   }
 
   @Override
   public Progress step() throws RemoteException, LeaseRefusedException {
+    if (limit != null && elapsed().compareTo(limit) >= 0) {
+      return Progress.failed(
+          String.format(
+              Locale.ROOT, "its time limit of %.1f s has passed", limit.toMillis() / 1000.0),
+          share);
+    }
     Senses by = senses();
     HeadingPercept heading = by.heading().towards(leg);
     if (Double.isNaN(whole)) {
@@ -89,7 +104,12 @@ final class LegPursuit implements Pursuit {
       recovery = new Recovery(now, recoveries++);
     }
     means.wheels().turn(velocity(by.rules(), now, room, heading));
-    return Progress.going(doing(heading), done(heading));
+    share = done(heading);
+    return Progress.going(doing(heading), share);
+  }
+
+  private Duration elapsed() {
+    return Duration.ofNanos(means.nanos().getAsLong() - began);
   }
 
   /** Whether the end is near enough, or was passed. */

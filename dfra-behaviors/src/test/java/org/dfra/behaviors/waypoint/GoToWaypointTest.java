@@ -47,6 +47,21 @@ class GoToWaypointTest {
   }
 
   @Test
+  void stopsWhenItsTimeLimitHasPassedThoughNobodyEndsIt() throws Exception {
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of());
+    UUID unused = goTo.pursue(TEN_METRES.within(Duration.ofSeconds(4)));
+    robot.time.step(3);
+    assertThat(goTo.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(robot.east).isGreaterThan(0.2);
+    assertThat(robot.reaches(goTo, Phase.FAILED, 1.5)).as("%s", goTo.status()).isTrue();
+    assertThat(goTo.status().doing()).isEqualTo("its time limit of 4.0 s has passed");
+    assertThat(robot.drive.drive().commander()).as("the wheels are let go").isNull();
+    double stopped = robot.east;
+    robot.time.step(5);
+    assertThat(robot.east).isEqualTo(stopped);
+  }
+
+  @Test
   void joinsTheLineThatItIsGiven() throws Exception {
     robot.north = -3;
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());

@@ -42,8 +42,14 @@ public interface Body {
   /** Charge left, 0 is empty, 1 is full; 1 where it does not know. */
   double battery();
 
-  /** Leaves what it does, for later, and goes there. */
-  void go(HelpCall call, Journey journey);
+  /**
+   * Leaves what it does, for later, and goes there.
+   *
+   * @param leaseEnd when the robot's lease of the task ends, nanoseconds of its agent's scheduler.
+   *     From then on the robot does not move for this call. It stops by itself, since its agent may
+   *     be suspended
+   */
+  void go(HelpCall call, long leaseEnd, Journey journey);
 
   /** Observes what it was called for; it is there. */
   void observe(HelpCall call);

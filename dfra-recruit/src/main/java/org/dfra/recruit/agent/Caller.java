@@ -76,12 +76,19 @@ final class Caller {
   String doing() {
     return switch (state.phase()) {
       case IDLE -> ended;
-      case CALLING -> lost.isEmpty() ? "it asks who can come" : lost + "; it asks again";
+      case CALLING -> asking();
       case COLLECTING -> "it has an offer, and waits for others";
       case AWARDED -> "it has chosen " + helper() + " and waits for it";
       case ON_SITE -> helper() + " is there";
       case DONE -> helper() + " helps it";
     };
+  }
+
+  private String asking() {
+    if (state.round() == 0) {
+      return "it waits until the robot that helped before confirms its release, or its lease ends";
+    }
+    return lost.isEmpty() ? "it asks who can come" : lost + "; it asks again";
   }
 
   /** Goes on with what it was at when its process died. */

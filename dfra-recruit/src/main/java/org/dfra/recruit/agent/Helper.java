@@ -28,6 +28,8 @@ import org.jspecify.annotations.Nullable;
 /** The half of an agent that helps others. Everything happens in the agent's turns. */
 final class Helper implements Judge {
 
+  private static final Duration FOREVER = Duration.ofDays(10_000);
+
   private final RecruitmentSettings settings;
   private final RecruitmentStrategy strategy;
   private final RecruiterPorts ports;
@@ -100,7 +102,7 @@ final class Helper implements Judge {
       return;
     }
     if (state.phase() == ResponderPhase.TRAVELLING) {
-      setOut(call);
+      setOut(call, state.until());
     } else if (state.phase().isCommitted()) {
       stayOn(call);
     }
@@ -170,7 +172,7 @@ final class Helper implements Judge {
     if (action instanceof ResponderAction.ToOne one) {
       send.accept(one.robot(), one.message());
     } else if (action instanceof ResponderAction.Go go) {
-      setOut(go.call());
+      setOut(go.call(), go.until());
     } else if (action instanceof ResponderAction.Observe observe) {
       ports.body().observe(observe.call());
     } else if (action instanceof ResponderAction.Resume resume) {
@@ -185,12 +187,13 @@ final class Helper implements Judge {
     }
   }
 
-  private void setOut(HelpCall call) {
+  private void setOut(HelpCall call, Instant until) {
     Conversation in = state.conversation();
     ports
         .body()
         .go(
             call,
+            nanos(until),
             new Body.Journey() {
               @Override
               public void arrived() {
@@ -202,6 +205,16 @@ final class Helper implements Judge {
                 turns.accept(() -> strayed(in, why));
               }
             });
+  }
+
+  /**
+   * The same time by the scheduler. That is read before the clock: a process that is suspended
+   * between the two makes the lease shorter, never longer.
+   */
+  private long nanos(Instant until) {
+    long now = ports.scheduler().nanos();
+    Duration left = Duration.between(now(), until);
+    return left.compareTo(FOREVER) < 0 ? now + left.toNanos() : Long.MAX_VALUE;
   }
 
   private boolean isTravelling(@Nullable Conversation in) {

@@ -118,12 +118,12 @@ final class RobotBody implements Body, AutoCloseable {
   }
 
   @Override
-  public void go(HelpCall call, Journey told) {
+  public void go(HelpCall call, long leaseEnd, Journey told) {
     errands.now(
         () -> {
           isAway = true;
           work.leave();
-          trip.begin(new LegGoal(null, call.place(), traits.tolerance()), told);
+          trip.begin(new LegGoal(null, call.place(), traits.tolerance()), leaseEnd, told);
         });
   }
 

@@ -3,6 +3,7 @@ package org.dfra.recruit.agent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
@@ -18,6 +19,7 @@ import org.dfra.core.state.StateStore;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.recruit.agent.Body.Journey;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -26,9 +28,10 @@ import org.slf4j.Logger;
  * twice a second, and told of at its end. Confined to the thread of the errands, but for {@link
  * #close}.
  *
- * <p>What drives is another process, which does not end with this one. So the name of what was
- * begun is kept, and the next process either follows it, or ends it. It cannot where this one dies
- * within the milliseconds between the beginning and the writing.
+ * <p>What drives is another process, which does not end with this one and is not suspended with it.
+ * So each goal carries the time that is left of the robot's lease of the task; and the name of what
+ * was begun is kept, and the next process either follows it, or ends it. It cannot where this one
+ * dies within the milliseconds between the beginning and the writing.
  */
 final class Trip {
 
@@ -51,7 +54,9 @@ final class Trip {
   private final Delegation<LegGoal, GoToWaypoint> travel;
   private final Runnable leave;
   private final Logger log;
+  private final Scheduler time;
   private @Nullable Journey journey;
+  private long leaseEnd; // of the journey, nanoseconds
   private @Nullable LegGoal aim; // of the last journey
   private @Nullable Begun inherited; // until it is known whether that is still under way
   private boolean isKept; // that one was begun
@@ -65,6 +70,7 @@ final class Trip {
     this.path = context.path();
     this.state = context.state();
     this.errands = errands;
+    this.time = context.robotTime();
     this.leave = leave;
     this.log = log;
     this.travel =
@@ -114,12 +120,19 @@ final class Trip {
     }
   }
 
-  /** Goes there, and nowhere else any more. */
-  void begin(LegGoal goal, Journey told) {
+  /**
+   * Goes there, and nowhere else any more.
+   *
+   * @param end when the robot's lease of the task ends, nanoseconds of its time; {@link
+   *     Long#MAX_VALUE} for never. What drives it learns that, and stops it then whatever has
+   *     become of this process
+   */
+  void begin(LegGoal goal, long end, Journey told) {
     if (!goal.equals(aim)) {
       travel.end();
     }
     aim = goal;
+    leaseEnd = end;
     journey = told;
     look(goal, told);
   }
@@ -144,8 +157,15 @@ final class Trip {
   }
 
   private void begun(LegGoal goal, Journey of) throws RemoteException {
+    boolean isLimited = leaseEnd != Long.MAX_VALUE;
+    long left = isLimited ? leaseEnd - time.nanos() : Long.MAX_VALUE;
+    if (left <= 0) { // this process was suspended, or waited for what drives
+      journey = null;
+      of.failed("its lease of the task is over");
+      return;
+    }
     try {
-      travel.begin(goal);
+      travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
       travel.goal().ifPresent(name -> keep(name + "\n" + goal.to()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {

@@ -134,9 +134,22 @@ final class FieldRobot implements Body {
   }
 
   @Override
-  public synchronized void go(HelpCall call, Journey told) {
+  public synchronized void go(HelpCall call, long leaseEnd, Journey told) {
     leaveRoute();
     drive(Field.toField(call.place()), number -> told.arrived());
+    int number = drives;
+    Scheduler.Task unused = time.after(leaseEnd - time.nanos(), () -> overdue(number, told));
+  }
+
+  /** The lease of a task that it still drives for is over. */
+  private void overdue(int number, Journey told) {
+    synchronized (this) {
+      if (!isUnderWay(number) || journey == null) {
+        return;
+      }
+      stand();
+    }
+    told.failed("its lease of the task is over");
   }
 
   private void leaveRoute() {

@@ -31,9 +31,12 @@ import org.dfra.recruit.requester.RequesterAction.ToTeam;
  * another order:
  *
  * <ul>
- *   <li>There is never a second helper. Who is late by {@link RecruitmentSettings#replaceAfter} has
- *       turned back by itself before another is looked for, as {@link ResponderId} tells; who was
- *       there has a lease that has ended before; who refuses has turned back already.
+ *   <li>There is never a second helper. Nobody else is asked before the chosen robot has confirmed
+ *       that it is free, or its lease of the task has ended by its own clock. That lease ends
+ *       {@link RecruitmentSettings#margin} before the requester gives the robot up, which {@link
+ *       ResponderId} explains; in the second half of the margin the robot is sent a RELEASE, so
+ *       that it is replaced as soon as it confirms that.
+ *   <li>A call for which a helper was let go waits for the same before it asks anybody.
  *   <li>An offer after the choice is answered by a RESPONDER_ID to its sender alone; one of an
  *       earlier conversation, and an ARRIVAL that nobody awaits, by a RELEASE.
  *   <li>AGREE is repeated until ACK_ACK comes or the lease ends; so is the RELEASE of a helper that
@@ -41,6 +44,8 @@ import org.dfra.recruit.requester.RequesterAction.ToTeam;
  * </ul>
  */
 public final class RequesterMachine {
+
+  private static final String LATE = "did not come in time";
 
   private final RecruitmentSettings settings;
   private final Chooser chooser;
@@ -79,6 +84,11 @@ public final class RequesterMachine {
       Instant now,
       List<RequesterAction> actions) {
     Conversation next = state.conversation().next();
+    Farewell farewell = state.farewell();
+    if (farewell != null) {
+      Instant free = farewell.until().isBefore(patience) ? farewell.until() : patience;
+      return new Step<>(state.open(next, call, patience, free).waiting(free), actions);
+    }
     actions.add(new ToTeam(call.percept(), new Help(next, call, 1)));
     return new Step<>(state.open(next, call, patience, again(now, patience)), actions);
   }
@@ -126,14 +136,15 @@ public final class RequesterMachine {
   }
 
   private Step<RequesterState, RequesterAction> goOn(RequesterState state, Instant now) {
-    if (now.isBefore(state.due())) {
+    boolean isFreeToAsk = state.isWaiting() && state.farewell() == null;
+    if (now.isBefore(state.due()) && !isFreeToAsk) {
       return Step.none(state);
     }
     return switch (state.phase()) {
       case IDLE -> Step.none(state);
       case CALLING -> callAgain(state, now);
       case COLLECTING -> award(state, now);
-      case AWARDED -> replace(state, "did not come in time", now);
+      case AWARDED -> giveUpWinner(state, now);
       case ON_SITE -> agreeAgain(state, now);
       case DONE ->
           new Step<>(
@@ -178,7 +189,22 @@ public final class RequesterMachine {
     } else {
       actions.add(new ToTeam(state.wanted().percept(), news));
     }
-    return new Step<>(state.awarded(winner, patienceWith(winner.eta(), now)), actions);
+    return new Step<>(awarded(state, winner, patienceWith(winner.eta(), now)), actions);
+  }
+
+  private RequesterState awarded(RequesterState state, Bid winner, Instant until) {
+    return state.awarded(winner, until.minus(settings.margin().dividedBy(2)), until);
+  }
+
+  /** Its lease of the task has ended by its own clock. It is asked to confirm that for a while. */
+  private Step<RequesterState, RequesterAction> giveUpWinner(RequesterState state, Instant now) {
+    if (!now.isBefore(state.until())) {
+      return replace(state, LATE, now);
+    }
+    Bid winner = state.chosen();
+    return new Step<>(
+        state.awarded(winner, now.plus(settings.releaseEvery()), state.until()),
+        List.of(new ToOne(winner.robot(), new Release(state.conversation(), LATE, true))));
   }
 
   private Instant patienceWith(Duration eta, Instant now) {
@@ -265,7 +291,7 @@ public final class RequesterMachine {
     Bid chosen = state.chosen();
     Instant patience = patienceWith(bid.eta(), now);
     boolean isNews = bid.number() > chosen.number() && patience.isAfter(state.until());
-    RequesterState next = isNews ? state.awarded(bid, patience) : state;
+    RequesterState next = isNews ? awarded(state, bid, patience) : state;
     return inform(next, bid.robot());
   }
 

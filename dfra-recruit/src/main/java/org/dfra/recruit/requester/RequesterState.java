@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
  * @param phase what it is at
  * @param conversation the last that it began, or the one before the first
  * @param call what help it wants or wanted; null before the first
- * @param round how often it called in the conversation
+ * @param round how often it called in the conversation; 0 while it waits with that until the helper
+ *     before is free
  * @param bids who offered in the conversation; empty before and after {@code COLLECTING}
  * @param winner who was chosen in the conversation; null where nobody was
  * @param due when something is to be done for the call though nothing happens; the far future where
@@ -93,6 +94,16 @@ public record RequesterState(
         farewell);
   }
 
+  /** The same call, which asks nobody yet: the helper before may not be free. */
+  RequesterState waiting(Instant free) {
+    return calling(0, free);
+  }
+
+  /** Whether it asks nobody yet. */
+  boolean isWaiting() {
+    return phase == RequesterPhase.CALLING && round == 0;
+  }
+
   RequesterState calling(int rounds, Instant again) {
     return new RequesterState(
         RequesterPhase.CALLING,
@@ -121,8 +132,11 @@ public record RequesterState(
         farewell);
   }
 
-  RequesterState awarded(Bid chosen, Instant end) {
-    return helped(RequesterPhase.AWARDED, chosen, end, end);
+  /**
+   * @param release when the winner, which has not come, is released
+   */
+  RequesterState awarded(Bid chosen, Instant release, Instant end) {
+    return helped(RequesterPhase.AWARDED, chosen, release.isBefore(end) ? release : end, end);
   }
 
   RequesterState onSite(Instant again, Instant end) {

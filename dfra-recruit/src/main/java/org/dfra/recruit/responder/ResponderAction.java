@@ -1,5 +1,6 @@
 package org.dfra.recruit.responder;
 
+import java.time.Instant;
 import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.recruit.message.RecruitmentMessage;
@@ -10,8 +11,12 @@ public sealed interface ResponderAction {
   /** Tells one robot. */
   record ToOne(String robot, RecruitmentMessage message) implements ResponderAction {}
 
-  /** Leaves what it does, and goes to the place of the call. */
-  record Go(HelpCall call) implements ResponderAction {}
+  /**
+   * Leaves what it does, and goes to the place of the call.
+   *
+   * @param until when its lease of the task ends: it does not move for the call from then on
+   */
+  record Go(HelpCall call, Instant until) implements ResponderAction {}
 
   /** Is there and observes. */
   record Observe(HelpCall call) implements ResponderAction {}

@@ -190,7 +190,8 @@ public final class ResponderMachine {
     if (eta.isEmpty() || !now.plus(eta.get()).isBefore(promise)) {
       return turnBack(state, "it could not be there in time any more");
     }
-    return new Step<>(state.travelling(promise), List.of(new Atone(), new Go(state.wanted())));
+    return new Step<>(
+        state.travelling(promise), List.of(new Atone(), new Go(state.wanted(), promise)));
   }
 
   private Step<ResponderState, ResponderAction> passedOver(

@@ -81,7 +81,7 @@ class FreeBodyTest extends BodyFixture {
     assertThat(isFreeAfterAWhile()).as("it drives home").isFalse();
     modules.end(homing);
     assertThat(isFreeAfterAWhile()).as("what drove it is gone").isTrue();
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     assertThat(isFreeAfterAWhile()).as("its own way").isTrue();
     assertThat(List.of(leg, path, raster, home)).doesNotHaveDuplicates();
   }

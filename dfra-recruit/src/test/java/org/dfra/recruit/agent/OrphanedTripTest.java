@@ -30,6 +30,7 @@ class OrphanedTripTest extends BodyFixture {
   private UUID bereave() {
     body.go(
         CALL,
+        Long.MAX_VALUE,
         new Body.Journey() {
           @Override
           public void arrived() {}
@@ -46,7 +47,7 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void whatItsDeadProcessHasBegunIsFollowed() {
     UUID goal = bereave();
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.status().goal()).as("it goes on").isEqualTo(goal);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
@@ -59,7 +60,7 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void whatItsDeadProcessHasBegunIsCalledOff() {
     UUID goal = bereave();
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.resume();
     modules.step(1);
@@ -85,7 +86,7 @@ class OrphanedTripTest extends BodyFixture {
     UUID goal = bereave();
     HelpCall other =
         new HelpCall("mine", at(5, 5), Duration.ofSeconds(20), Duration.ofSeconds(100));
-    body.go(other, journey);
+    body.go(other, Long.MAX_VALUE, journey);
     modules.step(2);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, other.place(), 0.7));
     assertThat(driver.status().goal()).isNotEqualTo(goal);

@@ -7,6 +7,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Map;
+import java.util.Objects;
 import java.util.UUID;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
@@ -44,7 +45,7 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itGoesThereAndTellsThatItHasArrivedOnce() {
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
@@ -60,8 +61,25 @@ class RobotBodyTest extends BodyFixture {
   }
 
   @Test
+  void whatDrivesItLearnsWhenItsLeaseOfTheTaskEnds() {
+    body.go(CALL, modules.time.nanos() + 20_000_000_000L, journey);
+    modules.step(1);
+    LegGoal goal = (LegGoal) Objects.requireNonNull(driver.goal);
+    assertThat(goal.limit()).isBetween(Duration.ofSeconds(18), Duration.ofSeconds(20));
+  }
+
+  /** As that of a process that was suspended. */
+  @Test
+  void onceItsLeaseOfTheTaskIsOverItDoesNotBeginToMove() {
+    body.go(CALL, modules.time.nanos() - 1, journey);
+    modules.step(5);
+    assertThat(driver.goal).isNull();
+    assertThat(told).containsExactly("its lease of the task is over");
+  }
+
+  @Test
   void itTellsWhyItWillNotGetThere() {
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     driver.progress = Progress.failed("an obstacle is in the way", 0.5);
     modules.step(5);
@@ -84,7 +102,7 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void onceCalledOffItStandsAndTellsNothing() {
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.resume();
     modules.step(1);
@@ -96,7 +114,7 @@ class RobotBodyTest extends BodyFixture {
   @Test
   void itSetsOutAsSoonAsThereIsSomethingThatDrives() {
     modules.end(driver);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(told).as("it waits").isEmpty();
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
@@ -106,7 +124,7 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itWaitsForItsWheelsWhereSomebodyElseHasTakenThem() throws RemoteException {
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     driver.cancel();
     UUID unused = driver.pursue(new LegGoal(null, at(1, 1), 1));
@@ -124,7 +142,7 @@ class RobotBodyTest extends BodyFixture {
     UUID goal = search.pursue(FIELD);
     modules.step(1);
     assertThat(body.isBusy()).isTrue();
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     assertThat(body.isBusy()).isFalse();
@@ -139,7 +157,7 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatItsOperatorPausedStaysSo() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     search.pause();
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.resume();
     modules.step(5);
@@ -150,11 +168,11 @@ class RobotBodyTest extends BodyFixture {
   void whatItLeftGoesOnThoughItsProcessHasDiedMeanwhile() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.close();
     body = body();
-    body.go(CALL, journey); // it was on its way
+    body.go(CALL, Long.MAX_VALUE, journey); // it was on its way
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     body.resume();
@@ -166,7 +184,7 @@ class RobotBodyTest extends BodyFixture {
   void anAgentThatHelpsNobodyGoesOnWithWhatItLeftBeforeItDied() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.close(); // after it was freed, and before its search went on
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
@@ -180,12 +198,12 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatDidNotAnswerWaitsUntilItHelpsNobodyAgain() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     modules.hide(search);
     body.resume();
     modules.step(0.1);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(0.1);
     driver.progress = Progress.reached("it is there");
     modules.show(search);
@@ -205,7 +223,7 @@ class RobotBodyTest extends BodyFixture {
     UUID leg = driver.pursue(new LegGoal(null, at(1, 1), 1)); // the search's
     modules.step(1);
     modules.hide(search);
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.status().goal()).isEqualTo(leg);
     modules.show(search);
@@ -255,7 +273,7 @@ class RobotBodyTest extends BodyFixture {
                 .among(modules.directory),
             TRAITS,
             LoggerFactory.getLogger("test"));
-    real.go(CALL, journey);
+    real.go(CALL, Long.MAX_VALUE, journey);
     asked.await();
     Thread closer = new Thread(real::close, "closer");
     closer.start();

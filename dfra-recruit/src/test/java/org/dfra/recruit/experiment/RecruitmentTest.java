@@ -326,4 +326,37 @@ class RecruitmentTest {
     seconds(16);
     assertThat(uav.status().requester()).as("it goes on").isEqualTo(RequesterPhase.DONE);
   }
+
+  /** It has not received its release, and has a lease of the task yet. */
+  @Test
+  void nobodyElseIsAskedWhileAHelperThatWasLetGoMayNotKnowIt() {
+    uav.help(call(20));
+    seconds(16);
+    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    cutOff.add("near");
+    uav.release();
+    uav.help(call(50));
+    seconds(10);
+    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(far.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().doing()).contains("until the robot that helped before confirms");
+    seconds(12);
+    assertThat(near.status().responder()).as("its lease is over").isEqualTo(ResponderPhase.FREE);
+    assertThat(far.status().responder()).isEqualTo(ResponderPhase.TRAVELLING);
+  }
+
+  @Test
+  void asSoonAsItConfirmsItsReleaseOthersAreAsked() {
+    uav.help(call(20));
+    seconds(16);
+    cutOff.add("near");
+    uav.release();
+    uav.help(call(50));
+    seconds(3);
+    cutOff.clear();
+    seconds(1);
+    assertThat(near.status().responder()).isNotEqualTo(ResponderPhase.LEASED);
+    seconds(3);
+    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.AWARDED);
+  }
 }

@@ -111,7 +111,7 @@ public final class DevicesDemo implements Demo {
       ModuleListing<?> answer = devices.one(each);
       table.row(each.need(), answer.path());
     }
-    tell.show(table.lines());
+    tell.show(table);
     tell.say("Each was found by what it can do; no name is in the client's code.");
     tell.figure("cold start to every device working and shown", cold, Duration.ofSeconds(20));
   }
@@ -220,7 +220,8 @@ public final class DevicesDemo implements Demo {
             + " controller stops when nobody speaks to it.",
         speed, Wording.seconds(sinceCommand));
     Checks.require(speed > 0.3, "the robot was hardly moving when its drive was killed");
-    tell.figure("drive's last command to the robot standing", sinceCommand, Duration.ofMillis(500));
+    tell.requirement(
+        "drive's last command to the robot standing", sinceCommand, Duration.ofMillis(500));
     tell.say(
         "The square ended %.2f m from where it began: what the wheels rolled while their driver was"
             + " dead was counted by nobody, and they slip.",

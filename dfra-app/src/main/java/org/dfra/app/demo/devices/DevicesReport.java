@@ -13,6 +13,8 @@ import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.Axis;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.LinePanel;
@@ -54,13 +56,13 @@ final class DevicesReport {
     streams.write(folder);
     Files.copy(
         truthCsv, folder.resolve("truth.csv"), java.nio.file.StandardCopyOption.REPLACE_EXISTING);
+    head(figures);
     html.paragraph(
         "A robot of the simulated world drove a square of "
             + String.format(Locale.ROOT, "%.0f m", SquareScript.SIDE)
             + " by a script. Each device spoke its own bytes to its real driver, in a service group"
             + " of its own under phoenix (mode: processes; the seed fixes world and noise, not"
             + " scheduling). The process that drives the wheels was killed on the second side.");
-    table(figures);
     html.heading("Where it went").figure(paths(), "The square: truly, by odometry, and by GPS.");
     html.heading("What it was told and did").figure(motion(), "Motion over time.");
     html.heading("What the laser saw")
@@ -84,16 +86,10 @@ final class DevicesReport {
    */
   record Photo(CameraImage image, String caption) {}
 
-  private void table(List<Figure> figures) {
-    List<List<String>> rows = new ArrayList<>();
-    for (Figure each : figures) {
-      rows.add(
-          List.of(
-              each.what(),
-              String.format(Locale.ROOT, "%.3g %s", each.measured(), each.unit()),
-              String.format(Locale.ROOT, "≤ %.3g %s", each.most(), each.unit())));
-    }
-    html.table(List.of("Figure", "Measured", "Wanted"), rows);
+  private void head(List<Figure> figures) {
+    Figures all = new Figures();
+    figures.forEach(all::add);
+    ReportHead.add(html, all, Instant.now());
   }
 
   private Page paths() {
@@ -104,8 +100,8 @@ final class DevicesReport {
         .row(
             520,
             new PathPanel("Field", Axis.of("east", "m"), Axis.of("north", "m"))
+                .addWay(Series.line("truly", truth.east(), truth.north()))
                 .add(
-                    Series.line("truly", truth.east(), truth.north()),
                     Series.line("odometry", placed[0], placed[1]),
                     Series.points(
                         "GPS fixes",

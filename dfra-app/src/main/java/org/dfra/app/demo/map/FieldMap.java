@@ -1,7 +1,6 @@
 package org.dfra.app.demo.map;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dfra.app.plot.Axis;
@@ -42,19 +41,15 @@ public final class FieldMap {
   }
 
   /**
-   * Where robots went, above what is given and below what stands there. A grey point is where one
-   * began; it has no entry in the legend, so that seven names have a colour each.
+   * Where robots went, above what is given and below what stands there. A ring is where one
+   * started, a square where it ended.
    *
    * @param ground what lies below everything
    * @param ways of each robot {@code {east, north}}, in the frame that is drawn in
    */
   public PathPanel ways(List<Series> ground, Map<String, double[][]> ways) {
     PathPanel panel = new PathPanel("", EAST, NORTH).add(ground.toArray(Series[]::new));
-    ways.forEach((robot, way) -> panel.add(Series.line(robot, way[0], way[1])));
-    for (double[][] way : ways.values()) {
-      int begun = Math.min(1, way[0].length);
-      panel.add(Series.points("", Arrays.copyOf(way[0], begun), Arrays.copyOf(way[1], begun)));
-    }
+    ways.forEach((robot, way) -> panel.addWay(Series.line(robot, way[0], way[1])));
     return panel.add(things());
   }
 

@@ -59,7 +59,7 @@ final class Introduction {
             + " called. It is fresh as long as a registrar that answers vouches for it.");
     Instant now = Instant.now();
     tell.blank();
-    directory.personas().forEach(each -> tell.show(PersonaSheet.of(each, now)));
+    directory.personas().forEach(each -> tell.show(PersonaSheet.of(each, now, tell.columns())));
     tell.figure(
         "cold start of both robots to all modules working and shown", cold, Duration.ofSeconds(16));
   }
@@ -98,7 +98,7 @@ final class Introduction {
       String took = Wording.seconds(watch.elapsed());
       table.row(each.path(), Wording.place(location.position()), took);
     }
-    tell.show(table.lines());
+    tell.show(table);
     Checks.require(found.size() == 4, found.size() + " location sensors were found, not 4");
     tell.figure(
         "a question by capability, answered from the client's cache", micros / 1e3, 5, "ms");

@@ -25,10 +25,17 @@ final class PersonaSheet {
   private static final String LABEL = "  %-13s%s";
   private static final String TABLE = "  %s";
 
+  /** Columns before a line of a table: these, and those of what is shown under a sentence. */
+  private static final int MARGIN = 6;
+
   private PersonaSheet() {}
 
-  /** The whole of a robot. */
-  static List<String> of(Persona persona, Instant now) {
+  /**
+   * The whole of a robot.
+   *
+   * @param columns of the terminal
+   */
+  static List<String> of(Persona persona, Instant now, int columns) {
     List<String> lines = new ArrayList<>();
     lines.add(headline(persona, now));
     persona
@@ -38,7 +45,9 @@ final class PersonaSheet {
               lines.addAll(labelled("goals", robot.goals()));
               lines.addAll(labelled("limitations", robot.limitations()));
             });
-    modules(persona.modules()).forEach(row -> lines.add(String.format(TABLE, row)));
+    modules(persona.modules())
+        .lines(columns - MARGIN)
+        .forEach(row -> lines.add(String.format(TABLE, row)));
     return lines;
   }
 
@@ -56,7 +65,7 @@ final class PersonaSheet {
   }
 
   /** Modules as a table. */
-  static List<String> modules(List<? extends ModuleListing<? extends Module>> modules) {
+  static Table modules(List<? extends ModuleListing<? extends Module>> modules) {
     Table table = new Table("MODULE", "STATE", "KIND", "VERSION", "CAN DO", "WHERE IT WAS");
     for (ModuleListing<? extends Module> each : modules) {
       Optional<ModuleAttributes> module = each.attributes(ModuleAttributes.class);
@@ -70,7 +79,7 @@ final class PersonaSheet {
               .map(its -> Wording.place(its.position()))
               .orElse("not known"));
     }
-    return table.lines();
+    return table;
   }
 
   private static String ability(ModuleListing<? extends Module> module) {

@@ -92,7 +92,7 @@ final class StoppedReceiver {
           Long.toString(each.lost()));
     }
     tell.say("Nothing else waited for it:");
-    tell.show(table.lines());
+    tell.show(table);
     tell.figure(
         "longest wait for a reading while another receiver is silent",
         all.stream()

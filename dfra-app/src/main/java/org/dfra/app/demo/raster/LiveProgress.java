@@ -100,7 +100,7 @@ final class LiveProgress implements MissionListener {
           off(i, at, "%.2f m"),
           at.status().doing());
     }
-    return table.lines();
+    return table.lines(tell.columns() - 1);
   }
 
   private String seen(int robot) {

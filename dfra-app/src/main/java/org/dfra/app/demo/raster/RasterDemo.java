@@ -63,7 +63,8 @@ public final class RasterDemo implements Demo {
     List<Scores> scores = judge(flight);
     tell.chapter("writing the report", "The report");
     Path file =
-        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores).write(report);
+        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores, tell.figures())
+            .write(report);
     tell.say("Figures and tables are in %s, the numbers beside it as CSV.", file);
   }
 
@@ -111,7 +112,7 @@ public final class RasterDemo implements Demo {
                 .map(each -> each.toUpperCase(Locale.ROOT))
                 .toArray(String[]::new));
     metrics.rows().forEach(row -> table.row(row.toArray(String[]::new)));
-    tell.show(table.lines());
+    tell.show(table);
     double clearance = scores.stream().mapToDouble(Scores::clearance).min().orElse(0);
     long unfinished = scores.stream().filter(each -> !each.completed()).count();
     tell.figure("robots that did not come to the end of their lanes", unfinished, 0, "");

@@ -3,9 +3,12 @@ package org.dfra.app.demo.raster;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.app.demo.map.Happenings;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.app.plot.TablePanel;
@@ -23,16 +26,20 @@ final class RasterReport {
   private final String mode;
   private final Flight flight;
   private final List<Scores> scores;
+  private final Figures measured;
 
   /**
    * @param mode in which it was run, and what that means
    * @param scores of the robots, in their order
+   * @param measured what decides how well it went
    */
-  RasterReport(Scenario scenario, String mode, Flight flight, List<Scores> scores) {
+  RasterReport(
+      Scenario scenario, String mode, Flight flight, List<Scores> scores, Figures measured) {
     this.scenario = scenario;
     this.mode = mode;
     this.flight = flight;
     this.scores = scores;
+    this.measured = measured;
   }
 
   /**
@@ -44,6 +51,7 @@ final class RasterReport {
     Files.createDirectories(folder);
     new RasterCsv(folder).write(scenario, flight, scores);
     HtmlReport html = new HtmlReport("Searching a field by raster");
+    ReportHead.add(html, measured, Instant.now());
     html.paragraph(mode).paragraph(asked());
     metrics(folder, html);
     Happenings.list(flight.marks(), html);
@@ -102,8 +110,8 @@ final class RasterReport {
         folder.resolve("paths.svg"),
         html,
         figures.paths(),
-        "Truly, by the simulated world, each from its grey point. The region and its lanes are"
-            + " grey.");
+        "Truly, by the simulated world. A ring is where a robot started, a square where it ended;"
+            + " arrows show its direction. The region and its lanes are grey.");
     add(
         folder.resolve("estimates.svg"),
         html,

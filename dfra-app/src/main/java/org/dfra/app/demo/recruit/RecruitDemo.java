@@ -120,7 +120,7 @@ public final class RecruitDemo implements Demo {
           tell.chapter("writing the report", "The report");
           Chronicle chronicle = new Chronicle(began, frame, witness, ways);
           RecruitFigures figures = new RecruitFigures(names, world, chronicle);
-          Path file = new RecruitReport(chronicle, figures, speed).write(report);
+          Path file = new RecruitReport(chronicle, figures, speed, tell.figures()).write(report);
           tell.say(
               "A map of where they went, a chart of each conversation, and shame over time are in"
                   + " %s.",

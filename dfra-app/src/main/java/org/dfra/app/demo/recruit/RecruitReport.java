@@ -3,10 +3,13 @@ package org.dfra.app.demo.recruit;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.Locale;
 import org.dfra.app.demo.map.Happenings;
 import org.dfra.app.demo.recruit.Chronicle.Event;
 import org.dfra.app.demo.recruit.Conversations.Told;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.geometry.LocalPosition;
@@ -17,14 +20,17 @@ final class RecruitReport {
   private final Chronicle chronicle;
   private final RecruitFigures figures;
   private final double speed;
+  private final Figures measured;
 
   /**
    * @param speed seconds of the robots' time in a second
+   * @param measured what decides how well it went
    */
-  RecruitReport(Chronicle chronicle, RecruitFigures figures, double speed) {
+  RecruitReport(Chronicle chronicle, RecruitFigures figures, double speed, Figures measured) {
     this.chronicle = chronicle;
     this.figures = figures;
     this.speed = speed;
+    this.measured = measured;
   }
 
   /**
@@ -35,6 +41,7 @@ final class RecruitReport {
   Path write(Path folder) throws IOException {
     Files.createDirectories(folder);
     HtmlReport report = new HtmlReport("Robots that help each other");
+    ReportHead.add(report, measured, Instant.now());
     report.paragraph(
         String.format(
             Locale.ROOT,
@@ -48,7 +55,8 @@ final class RecruitReport {
         folder.resolve("map.svg"),
         report,
         figures.map(),
-        "Truly, by the simulated world, each from its grey point; who has no line stood still. The"
+        "Truly, by the simulated world. A ring is where a robot started, a square where it ended;"
+            + " arrows show its direction, and a robot that did not move has its ring only. The"
             + " numbers are those of what happened on the way: a call stands where help was called"
             + " to, all else where the robot was.");
     report

@@ -6,11 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import java.util.regex.Pattern;
 import org.dfra.app.figure.Figure;
 import org.dfra.app.figure.Figures;
+import org.dfra.app.terminal.Colour;
 import org.dfra.app.terminal.LiveBlock;
+import org.dfra.app.terminal.Table;
 import org.dfra.app.terminal.Terminal;
+import org.dfra.app.terminal.Words;
 
 /**
  * What a demonstration says, each sentence with the time since it began, and what it measured. Safe
@@ -24,9 +26,6 @@ public final class Narration {
   private static final int WIDTH = 96;
   private static final int NARROWEST = 40;
 
-  /** Where a line may end: not between a number and its unit. */
-  private static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m)\\b|%)");
-
   private static final String INDENT = " ".repeat(11);
 
   /** Tables are wider than sentences, so they begin further left. */
@@ -37,7 +36,11 @@ public final class Narration {
 
   private static final String END = System.lineSeparator();
 
+  /** Columns of a table where there is no terminal. */
+  private static final int TABLE = Terminal.Size.USUAL.columns();
+
   private final PrintWriter out;
+  private final boolean isColoured;
   private final LongSupplier nanos;
   private final boolean isTerminal;
   private final Supplier<Terminal.Size> size; // guarded by this
@@ -69,6 +72,20 @@ public final class Narration {
    */
   public Narration(
       PrintWriter out, LongSupplier nanos, boolean isTerminal, Supplier<Terminal.Size> size) {
+    this(out, nanos, isTerminal, size, false);
+  }
+
+  /**
+   * @param isColoured whether {@code FAILED} and the like have colours; only where it {@linkplain
+   *     Colour#isWanted is wanted}
+   */
+  Narration(
+      PrintWriter out,
+      LongSupplier nanos,
+      boolean isTerminal,
+      Supplier<Terminal.Size> size,
+      boolean isColoured) {
+    this.isColoured = isColoured;
     this.isTerminal = isTerminal;
     this.size = size;
     this.block = new LiveBlock(size);
@@ -100,7 +117,8 @@ public final class Narration {
 
   /** What speaks to whoever has started this process, in the terminal if there is one. */
   public static Narration to(PrintWriter out) {
-    return new Narration(out, System::nanoTime, Terminal.canRedraw(), new Terminal());
+    return new Narration(
+        out, System::nanoTime, Terminal.canRedraw(), new Terminal(), Colour.isWanted());
   }
 
   /**
@@ -123,7 +141,7 @@ public final class Narration {
   /** A heading. */
   public synchronized void heading(String title) {
     blank();
-    print(title + END);
+    print((isColoured ? Colour.of(title) : title) + END);
   }
 
   /** A sentence; the format is {@link String#format}'s. */
@@ -132,7 +150,7 @@ public final class Narration {
     StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
     int column = line.length();
     int width = width();
-    for (String word : BREAK.split(text)) {
+    for (String word : Words.BREAK.split(text)) {
       if (column + word.length() + 1 > width && column > INDENT.length()) {
         line.append(END).append(INDENT);
         column = INDENT.length();
@@ -150,12 +168,33 @@ public final class Narration {
     return isTerminal ? Math.max(NARROWEST, Math.min(WIDTH, size.get().columns())) : WIDTH;
   }
 
+  /** A table under a sentence, no wider than the terminal, with a blank line after. */
+  public void show(Table table) {
+    show(table.lines(columns() - MARGIN.length()));
+  }
+
+  /** How wide a table may be. */
+  public int columns() {
+    return isTerminal ? size.get().columns() : TABLE;
+  }
+
   /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */
   public synchronized void show(List<String> lines) {
     StringBuilder text = new StringBuilder();
-    lines.forEach(line -> text.append((MARGIN + line).stripTrailing()).append(END));
+    lines.forEach(
+        line ->
+            text.append((MARGIN + (isColoured ? Colour.of(line) : line)).stripTrailing())
+                .append(END));
     print(text.toString());
     blank();
+  }
+
+  /** A sentence without the time, below a blank line. */
+  public synchronized void remark(String text) {
+    blank();
+    for (String line : Words.folded(text, Math.min(WIDTH, columns()) - 2)) {
+      print("  " + (isColoured ? Colour.of(line) : line) + END);
+    }
   }
 
   /** An empty line, unless the last one was. */
@@ -194,6 +233,11 @@ public final class Narration {
     figure(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s");
   }
 
+  /** Notes a time that must be kept on every computer, such as that in which a robot stops. */
+  public void requirement(String what, Duration measured, Duration limit) {
+    figures.add(new Figure(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s").required());
+  }
+
   /** What was measured until now. */
   public Figures figures() {
     return figures;
@@ -202,7 +246,9 @@ public final class Narration {
   /** Prints the table of figures. */
   public synchronized void table() {
     heading("Measured");
-    figures.all().forEach(each -> print(each.line() + END));
+    for (Figure each : figures.all()) {
+      each.lines(columns()).forEach(line -> print((isColoured ? Colour.of(line) : line) + END));
+    }
   }
 
   private long elapsed() {

@@ -47,6 +47,11 @@ public record Scene<R>(
     tell.accept(new Mark(seconds(begin, when), robot.name(), what));
   }
 
+  /** Notes a time that must be kept on every computer, in seconds. */
+  public void requirement(String what, double seconds, double most) {
+    figures.add(new Figure(what, seconds, most, "s").required());
+  }
+
   /** Notes what was measured, in real seconds. */
   public void figure(String what, double seconds, double most) {
     figures.add(new Figure(what, seconds, most, "s"));

@@ -132,7 +132,8 @@ final class KilledOnLane implements Trouble<FieldRobot> {
         Scene.seconds(killed, stood),
         group);
     if (isCommander) {
-      now.figure(group + " killed: last command to wheels standing (robot's time)", seconds, MOST);
+      now.requirement(
+          group + " killed: last command to wheels standing (robot's time)", seconds, MOST);
     }
     state = State.STANDING;
   }

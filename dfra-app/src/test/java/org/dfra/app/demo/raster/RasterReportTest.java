@@ -74,10 +74,11 @@ class RasterReportTest {
     String html = Files.readString(folder.resolve("one/report.html"));
     assertThat(html)
         .contains("Mode local:", "Columbia AVENUE", "ICR, odometry alone", "waypoints missed by")
-        .contains("<td>atrv1, truly</td>")
+        .contains("<td>atrv1, truly</td>", "class=\"verdict met\">All 4 targets are met.")
         // In lock-step both have one clock: what is measured is what their latencies differ by.
         .containsPattern(
-            "clock against that of atrv1</td><td>-</td><td>[+-]0\\.00\\d s ± 0\\.0\\d+ s<")
+            "clock against that of atrv1</td><td class=\"n\">-</td><td class=\"n\">"
+                + "[+-]0\\.00\\d\u00a0s ±\u00a00\\.0\\d+\u00a0s<")
         .contains("by both estimates")
         .contains(" is away and ", "GPS fixes", "least wanted")
         .doesNotContain("no data", "NaN");
