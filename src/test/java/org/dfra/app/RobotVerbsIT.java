@@ -222,8 +222,8 @@ class RobotVerbsIT {
             """
                 .formatted(registrar, module("warmth", 23)));
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
-      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"));
-      Verbs others = new Verbs(processes, "--state=" + folder.resolve("other/state"));
+      Verbs verbs = new Verbs(processes, "--state=" + folder.resolve("state"), true);
+      Verbs others = new Verbs(processes, "--state=" + folder.resolve("other/state"), true);
       verbs.well("up", xml.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");
       Outcome up =
           others.run("up", namesake.toString(), "--port=" + FreePorts.next(), "--registry-port=-1");

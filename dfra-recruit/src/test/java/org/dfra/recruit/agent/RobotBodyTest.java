@@ -88,7 +88,7 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itWillNotGetThereWhereItsLegIsPausedAsByABrake() {
-    body.go(CALL, journey);
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.attended).as("no brake is released for others").containsExactly(false);
     driver.progress = Progress.held("ugv1/drive has its brake set", 0.5);
