@@ -27,6 +27,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(300)
 class OwnSessionIT {
 
+  /** Tests that nohup runs, or a shell beside itself, inherit that signals are ignored. */
+  private static final List<String> UNTOUCHED = List.of("env", "--default-signal=INT,HUP");
+
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final String UP = "the robot is up";
 
@@ -43,7 +46,8 @@ class OwnSessionIT {
             </robot>
             """
                 .formatted(FreePorts.next()));
-    List<String> command = new ArrayList<>(List.of("setsid", "/bin/sh", "-c"));
+    List<String> command = new ArrayList<>(UNTOUCHED);
+    command.addAll(List.of("setsid", "/bin/sh", "-c"));
     command.add("\"$@\" && echo '" + UP + "' && while :; do sleep 1; done");
     command.add("sh");
     command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));

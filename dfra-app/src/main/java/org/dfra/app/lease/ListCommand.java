@@ -2,13 +2,14 @@ package org.dfra.app.lease;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
-import java.time.temporal.ChronoUnit;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.Administration;
+import org.dfra.app.team.Seen;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.ExitCode;
@@ -92,7 +93,7 @@ final class ListCommand implements Callable<Integer> {
           each.module(),
           each.holder().name().toLowerCase(Locale.ROOT),
           each.holderInWords(),
-          each.since().truncatedTo(ChronoUnit.SECONDS).toString(),
+          Seen.span(Duration.between(each.since(), Instant.now())) + " ago",
           each.endInWords(),
           each.shortId());
     }

@@ -169,7 +169,9 @@ class RasterSearchTest {
     robot.isHeld = false;
     first.pause();
     first.resume();
-    assertThat(robot.hears(first, "waypoint 2 of ", LONG)).as("of what was left").isTrue();
+    assertThat(robot.hears(first, "waypoint 5 of " + WAYPOINTS, LONG))
+        .as("counted through the whole search: %s", first.status())
+        .isTrue();
     assertThat(first.status().missed()).isEqualTo(1);
     RasterSearchImpl second = crash(first);
     assertThat(second.status().missed()).isEqualTo(1);

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.time.Duration;
 import java.util.Map;
 import org.dfra.drivers.drive.rflex.RflexOdometryImpl;
+import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -68,7 +69,8 @@ class RflexDriverTest extends RflexInLockStep {
     assertThat(restarts()).isEqualTo("2"); // of both axes
     assertThat(drive.drive().brake()).as("it is set after power-on").isTrue();
     assertThatThrownBy(() -> drive.obey(key, new Velocity(0.5, 0)))
-        .hasMessage("atrv1/drive has its brake set; release it before it is told to move");
+        .isInstanceOf(BrakeEngagedException.class)
+        .hasMessage("atrv1/drive has its brake set, and does not move until that is released");
 
     drive.obey(key, new Brake(false));
     time.advance(TENTH);
