@@ -166,7 +166,8 @@ class DriveIT {
     try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();
       String listed = dfra("lease", "list", "eta/drive");
-      assertThat(listed.replaceAll(" +", " ")).contains("eta/drive commander a program at 127.0.0.1 ");
+      assertThat(listed.replaceAll(" +", " "))
+          .contains("eta/drive commander a program at 127.0.0.1 ");
       String row = listed.lines().filter(each -> each.contains("commander")).findFirst().get();
       String lease = row.substring(row.lastIndexOf(' ') + 1);
       assertThat(dfra("lease", "revoke", "eta/drive", lease)).startsWith("Revoked lease " + lease);

@@ -3,11 +3,13 @@ package org.dfra.app.robot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.Inventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
-import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
 
 /** Service groups that were started from other jars than this command, such as an older build's. */
@@ -19,14 +21,17 @@ final class OtherJars {
    * A sentence for each group of a robot that runs from other jars.
    *
    * @param robot name of the robot
+   * @param said names of groups of which that was said already
    */
-  static List<String> sentences(PhoenixProcess phoenix, String robot) throws RemoteException {
+  static List<String> sentences(PhoenixProcess phoenix, String robot, Set<String> said)
+      throws IOException, ActivationException {
     @Nullable String lib = System.getProperty("dfra.lib");
     List<String> sentences = new ArrayList<>();
     if (lib != null) {
-      for (GroupStatus each : phoenix.admin().groupStatus()) {
-        if (each.name().startsWith(robot + ".")
-            && runsFromOther(Path.of("/proc"), each.pid(), lib)) {
+      for (ServiceGroup each : Inventory.of(phoenix, PhoenixOptions.PATIENCE)) {
+        if (each.robot().equals(robot)
+            && !said.contains(each.name())
+            && runsFromOther(Path.of("/proc"), each.status().pid(), lib)) {
           sentences.add(
               "Group "
                   + each.name()

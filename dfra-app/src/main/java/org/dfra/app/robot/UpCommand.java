@@ -5,10 +5,12 @@ import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.Answer;
@@ -102,9 +104,13 @@ public final class UpCommand implements Callable<Integer> {
       RobotBootstrap bootstrap, RobotDescription robot, PhoenixProcess phoenix, List<Up> services)
       throws Exception {
     try (NamesakeSearch namesakes = NamesakeSearch.begin(robot)) {
+      Set<String> kept = new HashSet<>();
       List<RobotBootstrap.Service> unused =
           bootstrap.up(
               step -> {
+                if (step.kind() == BringUpStep.Kind.GROUP_KEPT) {
+                  kept.add(step.name());
+                }
                 String module = step.name().substring(step.name().indexOf('/') + 1);
                 List<String> stops =
                     Stops.sentences(phoenix.state(), robot.name(), List.of(module));
@@ -119,7 +125,7 @@ public final class UpCommand implements Callable<Integer> {
                 stops.forEach(each -> say("But " + each + "."));
               });
       sayClasses(bootstrap);
-      OtherJars.sentences(phoenix, robot.name()).forEach(each -> say(each + "."));
+      OtherJars.sentences(phoenix, robot.name(), kept).forEach(each -> say(each + "."));
       namesakes.warning(bootstrap.identities()).ifPresent(answer::remark);
     }
   }

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The copy of the build's jars that this process was started from. {@code ./dfra build} removes a
@@ -15,19 +17,33 @@ final class LaunchedJars {
   /** A folder beside the jars with a file for each state folder whose journal may name them. */
   private static final String NOTES = "states";
 
+  private static final Logger LOG = LoggerFactory.getLogger(LaunchedJars.class);
+
   private LaunchedJars() {}
 
   /**
    * Notes that a phoenix with this state starts processes from these jars. Nothing happens where
    * DFRA is installed, since nothing removes those jars.
    *
+   * <p>Where it cannot be noted, as for a user who may not write beside the jars, a warning says
+   * so; they stay all the same while a process runs from them.
+   *
    * @param state folder of phoenix's journal
-   * @throws IOException if it cannot be written; the copy might be removed too early
    */
-  static void keepFor(Path state) throws IOException {
+  static void keepFor(Path state) {
     @Nullable String lib = System.getProperty(DownloadJars.LIB);
-    if (lib != null) {
+    if (lib == null) {
+      return;
+    }
+    try {
       keepFor(state, Path.of(lib).toAbsolutePath());
+    } catch (IOException e) {
+      LOG.warn(
+          "It cannot be noted beside {} that {} needs those jars ({}); after a reboot, and a build by"
+              + " somebody else, bring its robots up again",
+          lib,
+          state,
+          e.toString());
     }
   }
 

@@ -12,6 +12,8 @@ final class RegistrarArguments {
   private static final String PORT = "com.sun.jini.reggie.initialUnicastDiscoveryPort=";
   private static final String GROUPS = "com.sun.jini.reggie.initialMemberGroups=";
 
+  private static final String CONFIGURATION = "registrar.config";
+
   private RegistrarArguments() {}
 
   /**
@@ -25,7 +27,7 @@ final class RegistrarArguments {
    */
   static String[] of(String host, int port, Path folder, List<String> groups, boolean multicast) {
     List<String> arguments = new ArrayList<>();
-    arguments.add(RegistrarArguments.class.getResource("registrar.config").toString());
+    arguments.add(RegistrarArguments.class.getResource(CONFIGURATION).toString());
     arguments.add(HOST + PhoenixProcess.quote(host));
     arguments.add(PORT + port);
     arguments.add(
@@ -56,10 +58,17 @@ final class RegistrarArguments {
         .findFirst();
   }
 
-  /** Those that count only when it is started: the others can be changed while it runs. */
+  /**
+   * Those that count only when it is started: the others can be changed while it runs. Where its
+   * configuration lies is none of them, though it differs from build to build: it is the same.
+   */
   static List<String> atStart(List<String> arguments) {
     return arguments.stream()
-        .filter(each -> !each.startsWith(PORT) && !each.startsWith(GROUPS))
+        .filter(
+            each ->
+                !each.startsWith(PORT)
+                    && !each.startsWith(GROUPS)
+                    && !each.endsWith("/" + CONFIGURATION))
         .toList();
   }
 

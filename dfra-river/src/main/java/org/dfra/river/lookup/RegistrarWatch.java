@@ -6,6 +6,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -72,6 +73,7 @@ final class RegistrarWatch implements AutoCloseable {
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of a call under way; 0 for none
   private volatile boolean silent;
+  private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the thread
   private @Nullable EventRegistration registration; // by the thread
   private long sequence; // by the thread
   private long complete; // System.nanoTime when all was asked for; by the thread
@@ -209,17 +211,28 @@ final class RegistrarWatch implements AutoCloseable {
       lookup(new ServiceTemplate(null, null, new Entry[] {of}), items);
     }
     lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
-    Map<ServiceID, String> faults = new HashMap<>();
-    for (ServiceItem item : items.values()) {
-      if (item.service == null) {
-        fault(item.serviceID).ifPresent(why -> faults.put(item.serviceID, why));
-      }
-    }
     silent = false;
-    sightings.all(id, items.values(), faults);
+    faults.keySet().retainAll(items.keySet());
+    sightings.all(id, items.values(), faults); // what can be used does not wait for what cannot
+    findFaults(items.values());
     complete = System.nanoTime();
     read = true;
     reader.run();
+  }
+
+  /** Finds why proxies could not be read, where that is not known yet. */
+  private void findFaults(Collection<ServiceItem> items) throws RemoteException {
+    for (ServiceItem item : items) {
+      if (item.service != null) {
+        faults.remove(item.serviceID);
+      } else if (!faults.containsKey(item.serviceID)) {
+        Optional<String> fault = fault(item.serviceID);
+        if (fault.isPresent()) {
+          faults.put(item.serviceID, fault.get());
+          sightings.seen(id, item, fault.get());
+        }
+      }
+    }
   }
 
   private void lookup(ServiceTemplate template, Map<ServiceID, ServiceItem> items)
@@ -259,8 +272,10 @@ final class RegistrarWatch implements AutoCloseable {
     }
     Optional<String> fault = item.service == null ? fault(item.serviceID) : Optional.empty();
     if (fault.isPresent()) {
+      faults.put(item.serviceID, fault.get());
       sightings.seen(id, item, fault.get());
     } else {
+      faults.remove(item.serviceID);
       sightings.seen(id, item);
     }
   }

@@ -29,6 +29,7 @@ public final class PhoenixLocator {
             PhoenixLocator.class.getClassLoader(),
             ActivationSystem.class,
             PhoenixAdmin.class,
+            ReadinessMonitor.class,
             RemoteMethodControl.class,
             TrustEquivalence.class);
   }

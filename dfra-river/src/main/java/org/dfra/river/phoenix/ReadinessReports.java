@@ -37,7 +37,13 @@ final class ReadinessReports {
       if (thread == null) {
         thread = new Thread(this::run, "group-readiness");
         thread.setDaemon(true);
-        thread.start();
+        try {
+          thread.start();
+        } catch (
+            OutOfMemoryError e) { // no further thread; the next object that is made tries again
+          thread = null;
+          LOG.warn("The readiness of {} is not reported: {}", id, e.toString());
+        }
       }
     }
   }
@@ -51,11 +57,20 @@ final class ReadinessReports {
     while (!isOver()) {
       boolean all = true;
       for (Map.Entry<ActivationID, BooleanSupplier> each : awaited.entrySet()) {
-        if (each.getValue().getAsBoolean()) {
+        if (isReady(each)) {
           all &= report(each.getKey());
         }
       }
       LockSupport.parkNanos(this, all ? LOOK_NANOS : AGAIN_NANOS);
+    }
+  }
+
+  private static boolean isReady(Map.Entry<ActivationID, BooleanSupplier> object) {
+    try {
+      return object.getValue().getAsBoolean();
+    } catch (RuntimeException e) { // a driver's own; the others are reported all the same
+      LOG.debug("It is not known whether {} is ready.", object.getKey(), e);
+      return false;
     }
   }
 

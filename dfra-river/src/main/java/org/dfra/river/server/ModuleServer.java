@@ -253,7 +253,7 @@ public abstract class ModuleServer<M extends Module>
   /** {@inheritDoc} For phoenix, which restarts a module that worked at once. */
   @Override
   public final boolean isReady() {
-    return driver.readiness() == Readiness.READY;
+    return driver.readiness().serves(); // READY, or ACTIVE where a client came first
   }
 
   @Override
