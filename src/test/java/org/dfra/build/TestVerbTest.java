@@ -151,7 +151,9 @@ class TestVerbTest {
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
-        .contains("-Ddfra.test.alone=%regex[org/dfra/app/(DemoIT|raster/process/.*IT)\\.class]");
+        .contains(
+            "-Ddfra.test.alone=%regex[org/dfra/(app/DemoIT|app/raster/process/.*IT"
+                + "|phoenix/KilledModuleIT)\\.class]");
   }
 
   /** Makes the build tool leave a module's report, as a run of it would. */

@@ -1,6 +1,5 @@
 package org.dfra.phoenix;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 import static org.awaitility.Awaitility.await;
 
@@ -29,6 +28,8 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.lookup.entry.Name;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
@@ -57,11 +58,11 @@ class ClockStepIT {
 
   @TempDir Path folder;
 
-  private final PauseMeter pauses = new PauseMeter();
+  private final StallProbe probe = StallProbe.start();
 
   @AfterEach
   void end() {
-    pauses.close();
+    probe.close();
   }
 
   /** A process whose clock can be set. */
@@ -174,28 +175,26 @@ class ClockStepIT {
   }
 
   /** Within the bound, and from then on. */
-  private void awaitListed(ServiceRegistrar registrar, long begun, String... names)
+  private void awaitListed(ServiceRegistrar registrar, StallProbe.Stopwatch watch, String... names)
       throws Exception {
     await("listing of " + List.of(names))
         .atMost(PATIENCE)
         .pollInterval(Duration.ofMillis(100))
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
-        .until(() -> hasPassed(begun) && listed(registrar).equals(Set.of(names)));
-    Duration took = Duration.ofNanos(System.nanoTime() - begun);
-    assertThat(took.minus(pauses.since(begun)))
-        .as("time until it is listed aright, and %s of pauses", pauses.since(begun))
-        .isLessThan(BOUND.plusSeconds(1));
+        .until(() -> hasPassed(watch) && listed(registrar).equals(Set.of(names)));
+    Timing listed = watch.stop();
     await("that it stays so")
         .during(LEASE.plusSeconds(1))
         .atMost(PATIENCE)
         .pollInterval(Duration.ofMillis(100))
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
         .until(() -> listed(registrar).equals(Set.of(names)));
+    listed.requireWithin("being listed aright after a step of the clock", BOUND.plusSeconds(1));
   }
 
   /** By then whoever is to be dropped has been. */
-  private static boolean hasPassed(long begun) {
-    return System.nanoTime() - begun > LEASE.toNanos();
+  private static boolean hasPassed(StallProbe.Stopwatch watch) {
+    return watch.stop().took().compareTo(LEASE) > 0;
   }
 
   @ParameterizedTest
@@ -214,7 +213,7 @@ class ClockStepIT {
             .ignoreExceptionsInstanceOf(RemoteException.class)
             .until(() -> registrar.register(dead(), LEASE.toMillis()) != null);
         process.step(step);
-        long begun = System.nanoTime();
+        StallProbe.Stopwatch begun = probe.stopwatch();
         awaitListed(registrar, begun, "robot/module");
       }
     }
@@ -229,7 +228,7 @@ class ClockStepIT {
           .atMost(PATIENCE)
           .until(() -> listed(reggie.registrar()).contains("robot/module"));
       process.step(step);
-      long begun = System.nanoTime();
+      StallProbe.Stopwatch begun = probe.stopwatch();
       awaitListed(reggie.registrar(), begun, "robot/module");
     }
   }

@@ -7,6 +7,7 @@ import java.rmi.activation.ActivationException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.dfra.app.team.PhoenixOptions;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.Inventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
