@@ -132,7 +132,7 @@ class DemoIT {
         "receiver killed to its readings coming again",
         "receiver killed to the client's lease counted",
         "readings missed in the gap but not counted 0",
-        "call to a killed receiver answered by the other",
+        "call to a killed receiver answered",
         "silent receiver reported",
         "longest wait for a reading while another receiver is silent",
         "registrar dead to its robot shown as stale",

@@ -147,7 +147,10 @@ class TestVerbTest {
   void runsTestsBesideEachOtherAndMeasuresAloneOnlyInAFullRun() throws Exception {
     String boot = "-Xbootclasspath/a:" + house.toRealPath() + "/dfra-activation/target/classes";
     assertThat(given("maven"))
-        .contains("-T", "-Ddfra.test.forks.across=4", "-Ddfra.test.alone=%regex[none]")
+        .contains(
+            "-T",
+            "-Ddfra.test.forks.across=4",
+            "-Ddfra.test.alone=%regex[org/dfra/app/DemoIT\\.class]")
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
