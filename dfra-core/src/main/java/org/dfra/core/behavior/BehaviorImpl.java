@@ -68,6 +68,9 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   /** Its lock is taken after {@link #turning}. */
   private final StatusLine said;
 
+  /** Guarded by {@link #said}; a program has paused it, and no person has since. */
+  private boolean goesOnUnattended;
+
   private volatile boolean isOver;
 
   /**
@@ -244,7 +247,10 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   private UUID takeUp(Pursuit taken, Phase phase, String doing, double done, int missed) {
     UUID id = UUID.randomUUID();
-    said.begin(id, phase, doing, done, missed);
+    synchronized (said) {
+      goesOnUnattended = false;
+      said.begin(id, phase, doing, done, missed);
+    }
     pursuit = taken;
     isAtRest = true;
     if (phase == Phase.RUNNING) {
@@ -269,17 +275,22 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final void pause() {
-    stop(Phase.PAUSED, "it was told to pause");
+    stop(Phase.PAUSED, "it was told to pause", null, true);
+  }
+
+  @Override
+  public final void pauseUnattended() {
+    stop(Phase.PAUSED, "it was told to pause by a program", null, false);
   }
 
   @Override
   public final void cancel() {
-    stop(Phase.CANCELLED, "it was told to give up");
+    stop(Phase.CANCELLED, "it was told to give up", null, true);
   }
 
   @Override
   public final void cancel(UUID goal) {
-    stop(Phase.CANCELLED, "it was told to give up", goal);
+    stop(Phase.CANCELLED, "it was told to give up", goal, true);
   }
 
   @Override
@@ -291,28 +302,32 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }
-    resumeUnattended();
+    resume(true);
   }
 
   @Override
   public final void resumeUnattended() {
+    resume(false);
+  }
+
+  private void resume(boolean isAttended) {
     synchronized (said) { // who pauses it again is to find the loop that he stops
-      if (!isOver && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
+      if (!isOver
+          && (isAttended || goesOnUnattended)
+          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
+        goesOnUnattended = false; // whatever pauses it next
         loop.start();
       }
     }
-  }
-
-  private void stop(Phase wanted, String why) {
-    stop(wanted, why, null);
   }
 
   /**
    * Somebody wants it to stop: rests and says so; says so at once where a turn is held up.
    *
    * @param only the goal that is meant; null for whichever is being pursued
+   * @param isAttended false where a program may have it go on after a pause
    */
-  private void stop(Phase wanted, String why, @Nullable UUID only) {
+  private void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
     Set<Phase> from =
         wanted == Phase.CANCELLED
             ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
@@ -321,21 +336,33 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     try {
       synchronized (said) { // no other goal is taken up between the question and the stop
         BehaviorStatus now = said.now();
+        if (wanted == Phase.PAUSED && isAttended) {
+          goesOnUnattended = false; // also where it is paused already
+        }
         if (!from.contains(now.phase()) || !(only == null || only.equals(now.goal()))) {
           return;
         }
         loop.stop();
         if (!isIdle) {
-          said.move(from, wanted, why);
+          settle(from, wanted, why, isAttended);
         }
       }
       if (isIdle) {
         rest();
-        said.move(from, wanted, why);
+        settle(from, wanted, why, isAttended);
       }
     } finally {
       if (isIdle) {
         turning.unlock();
+      }
+    }
+  }
+
+  /** Who pauses it is known together with the pause. */
+  private void settle(Set<Phase> from, Phase wanted, String why, boolean isAttended) {
+    synchronized (said) {
+      if (said.move(from, wanted, why)) {
+        goesOnUnattended = wanted == Phase.PAUSED && !isAttended;
       }
     }
   }

@@ -37,7 +37,7 @@ final class RobotBody implements Body, AutoCloseable {
     this.senses = new Senses(context, log);
     this.errands = new Errands("dfra-body " + context.path(), context.robotTime());
     this.work = new LeftWork(context, log);
-    this.trip = new Trip(context, errands, work::leave, log);
+    this.trip = new Trip(context, errands, work, log);
   }
 
   void start() {

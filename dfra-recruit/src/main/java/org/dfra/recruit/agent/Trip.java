@@ -52,7 +52,7 @@ final class Trip {
   private final StateStore state;
   private final Errands errands;
   private final Delegation<LegGoal, GoToWaypoint> travel;
-  private final Runnable leave;
+  private final LeftWork work;
   private final Logger log;
   private final Scheduler time;
   private @Nullable Journey journey;
@@ -64,14 +64,15 @@ final class Trip {
   private volatile boolean isOver;
 
   /**
-   * @param leave leaves what the robot is at, where that still holds what drives
+   * @param work is left where it still holds what drives, and stays so where a person has stopped
+   *     the trip
    */
-  Trip(ModuleContext context, Errands errands, Runnable leave, Logger log) {
+  Trip(ModuleContext context, Errands errands, LeftWork work, Logger log) {
     this.path = context.path();
     this.state = context.state();
     this.errands = errands;
     this.time = context.robotTime();
-    this.leave = leave;
+    this.work = work;
     this.log = log;
     this.travel =
         new Delegation<>(
@@ -169,7 +170,7 @@ final class Trip {
       travel.goal().ifPresent(name -> keep(name + "\n" + goal.to()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
-        leave.run(); // again: it may not have answered, or not been found
+        work.leave(); // again: it may not have answered, or not been found
       } else {
         journey = null;
         of.failed(String.valueOf(e.getMessage()));
@@ -182,6 +183,7 @@ final class Trip {
     if (status.phase() == Phase.RUNNING) {
       return false;
     }
+    heed(status);
     if (status.phase() == Phase.PAUSED) { // as by a brake: nobody knows when it goes on
       travel.end();
     } else {
@@ -197,9 +199,24 @@ final class Trip {
     return true;
   }
 
+  /**
+   * A leg that was paused or cancelled by others: somebody may stand before the robot. What it left
+   * to help must not move it either.
+   */
+  private void heed(BehaviorStatus status) {
+    if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
+      work.leaveToPeople();
+    }
+  }
+
   /** It stands where it is, and nobody is told. */
   void end() {
     journey = null;
+    try {
+      travel.status().ifPresent(this::heed); // it may have been paused since it was looked at
+    } catch (RemoteException | NotReadyException e) {
+      log.debug("{}: it does not know how its leg is: {}", path, e.toString());
+    }
     rest();
   }
 
