@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
@@ -16,6 +19,10 @@ import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.recruit.agent.Body.Journey;
@@ -45,10 +52,25 @@ final class Trip {
    *
    * @param goal its name
    * @param place where to, as text
+   * @param asked when the agent was asked to go there, by the robot's clock
    */
-  private record Begun(UUID goal, String place) {}
+  private record Begun(UUID goal, String place, Instant asked) {
+
+    static Begun of(String text) {
+      String[] lines = text.split("\n", 3);
+      return new Begun(
+          UUID.fromString(lines[0]),
+          lines.length > 1 ? lines[1] : "",
+          lines.length > 2 ? Instant.parse(lines[2]) : Instant.EPOCH); // any stop counts then
+    }
+
+    String text() {
+      return goal + "\n" + place + "\n" + asked;
+    }
+  }
 
   private final String path;
+  private final ModuleContext context;
   private final StateStore state;
   private final Errands errands;
   private final Delegation<LegGoal, GoToWaypoint> travel;
@@ -58,6 +80,7 @@ final class Trip {
   private @Nullable Journey journey;
   private long leaseEnd; // of the journey, nanoseconds
   private @Nullable LegGoal aim; // of the last journey
+  private Instant asked = Instant.EPOCH; // for that
   private @Nullable Begun inherited; // until it is known whether that is still under way
   private boolean isKept; // that one was begun
   private boolean isResting; // as soon as it can
@@ -69,6 +92,7 @@ final class Trip {
    */
   Trip(ModuleContext context, Errands errands, LeftWork work, Logger log) {
     this.path = context.path();
+    this.context = context;
     this.state = context.state();
     this.errands = errands;
     this.time = context.robotTime();
@@ -83,12 +107,11 @@ final class Trip {
   void recall() {
     try {
       String text = new String(state.read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
-      int line = text.indexOf('\n');
-      if (line > 0) {
-        inherited = new Begun(UUID.fromString(text.substring(0, line)), text.substring(line + 1));
+      if (!text.isEmpty()) {
+        inherited = Begun.of(text);
         isKept = true;
       }
-    } catch (IOException | IllegalArgumentException e) {
+    } catch (IOException | IllegalArgumentException | DateTimeParseException e) {
       log.warn("{}: it does not know where it was going: {}", path, e.toString());
     }
   }
@@ -108,15 +131,21 @@ final class Trip {
     }
   }
 
-  /** Takes over what was begun in an earlier process, unless that led elsewhere: then ends it. */
+  /**
+   * Takes over what was begun in an earlier process, also where it has ended since, so that a leg
+   * that somebody has stopped is not begun anew. One that led elsewhere is ended.
+   */
   private void inherit(@Nullable GeoPosition place) throws RemoteException {
     Begun last = inherited;
     if (last == null) {
       return;
     }
-    boolean isAtIt = travel.adopt(last.goal());
+    boolean isKnown = travel.adoptWithOutcome(last.goal());
+    if (isKnown) {
+      travel.status().ifPresent(this::heed);
+    }
     inherited = null;
-    if (isAtIt && (place == null || !last.place().equals(place.toString()))) {
+    if (isKnown && (place == null || !last.place().equals(place.toString()))) {
       travel.end();
     }
   }
@@ -132,6 +161,11 @@ final class Trip {
     if (!goal.equals(aim)) {
       travel.end();
     }
+    Begun last = inherited;
+    asked =
+        last != null && last.place().equals(goal.to().toString())
+            ? last.asked()
+            : context.clock().instant();
     aim = goal;
     leaseEnd = end;
     journey = told;
@@ -146,7 +180,13 @@ final class Trip {
     try {
       inherit(goal.to());
       Optional<BehaviorStatus> status = travel.status();
-      if (status.isEmpty()) {
+      if (status.isEmpty() && isStoppedSince()) {
+        journey = null;
+        forget();
+        work.leaveToPeople();
+        of.failed("it was stopped for an emergency after it was asked to come");
+        return;
+      } else if (status.isEmpty()) {
         begun(goal, of);
       } else if (hasEnded(status.get(), of)) {
         return;
@@ -155,6 +195,23 @@ final class Trip {
       log.info("{}: it waits: {}", path, e.toString());
     }
     errands.later(LOOK_NANOS, () -> look(goal, of));
+  }
+
+  /**
+   * Whether its wheels were stopped for an emergency since it was asked to go there, released or
+   * not. What drives may have died meanwhile, so that its goal does not say so.
+   */
+  private boolean isStoppedSince() throws RemoteException {
+    for (ModuleListing<DriveEffector> each :
+        context.directory().find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))) {
+      StopState stop = each.module().stopState();
+      Instant since = stop.since();
+      Instant first = asked.truncatedTo(ChronoUnit.MILLIS); // as exact as since is
+      if (stop.latched() || (since != null && !since.isBefore(first))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void begun(LegGoal goal, Journey of) throws RemoteException {
@@ -167,7 +224,7 @@ final class Trip {
     }
     try {
       travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
-      travel.goal().ifPresent(name -> keep(name + "\n" + goal.to()));
+      travel.goal().ifPresent(name -> keep(new Begun(name, goal.to().toString(), asked).text()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
         work.leave(); // again: it may not have answered, or not been found
@@ -243,6 +300,11 @@ final class Trip {
             });
       }
     }
+  }
+
+  /** Whether it is known what became of the trip of an earlier process. */
+  boolean isSettled() {
+    return inherited == null;
   }
 
   /** Begins nothing any more; by any thread. */
