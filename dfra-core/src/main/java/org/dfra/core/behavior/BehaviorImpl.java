@@ -117,9 +117,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   /**
    * A goal that has begun is about to be pursued for the first time, or a paused one again because
-   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. It
-   * releases the parking brake of the robot's wheels; a behaviour that moves no wheels overrides
-   * it.
+   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. Where
+   * the behaviour {@linkplain #movesWheels moves the wheels}, it releases their parking brake.
    *
    * @param isAttended whether somebody who knows that the robot may move has asked for it, so that
    *     a parking brake may be released
@@ -127,11 +126,31 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    *     paused one goes on nevertheless
    */
   protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
+    if (movesWheels()) {
+      interlock.prepare(isAttended);
+    }
   }
 
-  /** Ties the goal to what was true of its robot's wheels when somebody asked for it. */
+  /**
+   * Whether its goals move the robot's wheels, also by way of other behaviours. Then the parking
+   * brake is released when a person asks for a goal, and {@link #interlock} tells whether the
+   * wheels were stopped since. One that moves nothing but a camera must not release the brake.
+   */
+  protected boolean movesWheels() {
+    return false;
+  }
+
+  /**
+   * Ties the goal to what was true of its robot's wheels when somebody asked for it.
+   *
+   * @throws IllegalStateException if the behaviour does not say that it {@linkplain #movesWheels
+   *     moves the wheels}: then nothing is tied
+   */
   protected final DriveInterlock interlock() {
+    if (!movesWheels()) {
+      throw new IllegalStateException(
+          path() + " uses the interlock of the wheels; have movesWheels return true");
+    }
     return interlock;
   }
 
