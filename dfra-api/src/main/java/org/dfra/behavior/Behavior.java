@@ -34,9 +34,19 @@ public interface Behavior<G extends Goal> extends Schema {
   @Idempotent
   BehaviorStatus status() throws RemoteException;
 
-  /** Stands still and keeps the goal. Does nothing unless it runs. */
+  /**
+   * Stands still and keeps the goal, for a person. From then on only {@link #resume} has it go on,
+   * also where a program had paused it before.
+   */
   @Idempotent
   void pause() throws RemoteException;
+
+  /**
+   * The same for a program that acts without a person and means to have it go on by {@link
+   * #resumeUnattended}. Does nothing unless it runs.
+   */
+  @Idempotent
+  void pauseUnattended() throws RemoteException;
 
   /**
    * Goes on after a pause, for somebody who knows that the robot may move: releases the parking
@@ -45,7 +55,11 @@ public interface Behavior<G extends Goal> extends Schema {
   @Idempotent
   void resume() throws RemoteException;
 
-  /** The same for a program that acts without a person: a parking brake that is set stays set. */
+  /**
+   * Goes on after {@link #pauseUnattended}; a parking brake that is set stays set. Does nothing
+   * where it is paused for another reason, such as a brake, or where somebody has called {@link
+   * #pause} since, or its process is another one since.
+   */
   @Idempotent
   void resumeUnattended() throws RemoteException;
 

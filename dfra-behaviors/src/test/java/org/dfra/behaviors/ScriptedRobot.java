@@ -97,23 +97,32 @@ public final class ScriptedRobot implements AutoCloseable {
   /** Starts a module and lists it. */
   public <M extends ModuleImpl> M add(M module) {
     module.start();
-    modules.put(module, directory.add(module));
-    order.add(0, module);
+    show(module);
     return module;
   }
 
   /** Its process ends. */
   public void end(ModuleImpl module) {
+    hide(module);
+    module.close();
+  }
+
+  /** Nobody finds it any more, though it goes on. */
+  public void hide(ModuleImpl module) {
     modules.remove(module).close();
     order.remove(module);
-    module.close();
+  }
+
+  /** It is found again. */
+  public void show(ModuleImpl module) {
+    modules.put(module, directory.add(module));
+    order.add(0, module);
   }
 
   /** Its process is killed: it does nothing more, not even let go of what it has begun. */
   public void kill(ModuleImpl module, String name) {
     times.get(name).die();
-    modules.remove(module).close();
-    order.remove(module);
+    hide(module);
   }
 
   public GoToWaypointImpl addGoTo(Map<String, String> parameters) {

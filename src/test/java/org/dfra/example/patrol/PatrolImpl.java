@@ -28,6 +28,11 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
   }
 
   @Override
+  protected boolean movesWheels() {
+    return true; // so asking for a patrol releases the parking brake
+  }
+
+  @Override
   protected Pursuit begin(PathGoal goal) {
     goTo.now(); // refuses where there is none, before anything moves
     return new Patrol(goal);
@@ -51,6 +56,7 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
     public Progress step() throws RemoteException {
       Optional<BehaviorStatus> driving = leg.status();
       if (driving.isEmpty()) {
+        interlock().requireNotStoppedSince(); // nobody moves it by releasing a stop
         GeoPosition next = goal.waypoints().get(driven % goal.waypoints().size());
         leg.begin(new LegGoal(null, next, goal.tolerance()));
         return going("it sets out");

@@ -35,15 +35,10 @@ final class RasterMemory {
    * @param missed how many of those were left out
    * @param phase {@link Phase#RUNNING} or {@link Phase#PAUSED}
    * @param path what another drives for it; null where nobody does
-   * @param seen the last emergency stop before it; null where that is not known
+   * @param seen the last emergency stop before it
    */
   record Begun(
-      RasterGoal goal,
-      int reached,
-      int missed,
-      Phase phase,
-      @Nullable PathBegun path,
-      @Nullable Seen seen) {
+      RasterGoal goal, int reached, int missed, Phase phase, @Nullable PathBegun path, Seen seen) {
 
     Begun {
       if (missed < 0 || reached < missed || !phase.isUnderWay()) {
@@ -101,10 +96,9 @@ final class RasterMemory {
       text.setProperty("path-reached", Integer.toString(path.reached()));
       text.setProperty("path-missed", Integer.toString(path.missed()));
     }
-    @Nullable Seen seen = begun.seen();
-    if (seen != null) {
-      text.setProperty("stopped", seen.since() == null ? NEVER : seen.since().toString());
-    }
+    @Nullable Instant since = begun.seen().since();
+    text.setProperty(
+        begun.seen().isKnown() ? "stopped" : "asked", since == null ? NEVER : since.toString());
     write(text);
   }
 
@@ -168,14 +162,16 @@ final class RasterMemory {
         : null;
   }
 
-  private static @Nullable Seen seen(Properties text) {
-    @Nullable String stopped = text.getProperty("stopped");
+  private static Seen seen(Properties text) {
+    boolean isKnown = text.containsKey("stopped");
+    if (!isKnown && !text.containsKey("asked")) {
+      return Seen.NOTHING; // kept by nobody before 0.2
+    }
+    String since = wanted(text, isKnown ? "stopped" : "asked");
     try {
-      return stopped == null
-          ? null
-          : new Seen(stopped.equals(NEVER) ? null : Instant.parse(stopped));
+      return new Seen(since.equals(NEVER) ? null : Instant.parse(since), isKnown);
     } catch (DateTimeParseException e) {
-      throw new IllegalArgumentException("\"" + stopped + "\" is no time", e);
+      throw new IllegalArgumentException("\"" + since + "\" is no time", e);
     }
   }
 

@@ -16,6 +16,7 @@ import org.dfra.core.behavior.Progress;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -83,7 +84,11 @@ final class RasterPursuit implements Pursuit {
   }
 
   private Progress turn() throws RemoteException {
-    inherit();
+    try {
+      inherit();
+    } catch (RemoteException | NotReadyException e) { // it must not be forgotten meanwhile
+      return Progress.going("it waits to learn what became of its path: " + inWords(e), done());
+    }
     Optional<BehaviorStatus> following = path.status();
     if (following.isEmpty()) {
       return begin();
@@ -107,9 +112,18 @@ final class RasterPursuit implements Pursuit {
     }
   }
 
+  private static String inWords(Exception reason) {
+    return reason instanceof RemoteException
+        ? "what drives it does not answer"
+        : String.valueOf(reason.getMessage());
+  }
+
   /**
    * Takes over the path of the earlier process, also where it has ended since: then what was driven
    * is not driven again, and what was given up is not begun anew by itself.
+   *
+   * @throws RemoteException if what follows it does not answer yet; it is asked again then
+   * @throws NotReadyException if that is not found yet, as at first in every new process; likewise
    */
   private void inherit() throws RemoteException {
     PathBegun earlier = inherited;

@@ -72,6 +72,11 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   }
 
   @Override
+  protected boolean movesWheels() {
+    return true;
+  }
+
+  @Override
   protected Pursuit begin(RasterGoal wanted) throws RemoteException {
     RasterPlan plan = RasterPlan.of(wanted);
     FollowWaypoints unused = follow.now();

@@ -44,6 +44,11 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
   }
 
   @Override
+  protected boolean movesWheels() {
+    return true;
+  }
+
+  @Override
   protected Pursuit begin(PathGoal goal) throws RemoteException {
     GoToWaypoint unused = goTo.now();
     reach.require(position.now().estimate().position(), goal.waypoints());

@@ -58,6 +58,11 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   }
 
   @Override
+  protected boolean movesWheels() {
+    return true;
+  }
+
+  @Override
   protected Pursuit begin(LegGoal goal) throws RemoteException {
     for (Needed<?> each : List.of(room, heading, rules, interlock().drive())) {
       Module unused = each.now(); // refuses where one is missing

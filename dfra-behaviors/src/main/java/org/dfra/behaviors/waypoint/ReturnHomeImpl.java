@@ -139,6 +139,11 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   }
 
   @Override
+  protected boolean movesWheels() {
+    return true;
+  }
+
+  @Override
   protected Pursuit begin(HomeGoal goal) {
     GoToWaypoint unused = goTo.now();
     synchronized (place) {

@@ -145,6 +145,51 @@ class RasterSearchTest {
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
   }
 
+  /** In a new process the directory is empty at first. */
+  private RasterSearchImpl startsBeforeItFindsItsPath() {
+    robot.hide(follow);
+    RasterSearchImpl search = addSearch(Map.of());
+    robot.time.step(2);
+    assertThat(search.status().doing()).contains("it needs a FollowWaypoints on atrv1");
+    robot.show(follow);
+    return search;
+  }
+
+  @Test
+  void goesOnWithThePathOfItsDeadProcessThoughItFindsThatLate() throws Exception {
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursue(FIELD);
+    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    UUID path = follow.status().goal();
+    dieAlone(first);
+    RasterSearchImpl second = startsBeforeItFindsItsPath();
+    assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+    assertThat(follow.status().goal()).as("no other was begun").isEqualTo(path);
+    assertThat(follow.status().phase()).isEqualTo(Phase.SUCCEEDED);
+  }
+
+  @Test
+  void beginsNoPathThatSomebodyPausedOrCancelledBeforeItFindsThat() throws Exception {
+    RasterSearchImpl search = addSearch(Map.of());
+    UUID unused = search.pursue(FIELD);
+    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    for (boolean isPaused : List.of(true, false)) {
+      dieAlone(search);
+      if (isPaused) {
+        follow.pause();
+      } else {
+        follow.cancel();
+      }
+      search = startsBeforeItFindsItsPath();
+      assertThat(robot.reaches(search, Phase.PAUSED, 2)).as("%s", search.status()).isTrue();
+      double stood = robot.north;
+      robot.time.step(5);
+      assertThat(robot.north).isEqualTo(stood);
+      search.resume();
+      assertThat(robot.hears(search, "waypoint ", 2)).as("%s", search.status()).isTrue();
+    }
+  }
+
   @Test
   void endsThePathOfItsDeadProcessWhereItIsToWait() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());

@@ -14,6 +14,10 @@ import org.dfra.behavior.RasterGoal;
 import org.dfra.behaviors.ScriptedRobot;
 import org.dfra.behaviors.raster.RasterSearchImpl;
 import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.behavior.DriveInterlock;
+import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -257,6 +261,93 @@ class BrakeTest {
             "the drive of atrv1 is INITIALIZING: whether its brake is set is not known; ask again"
                 + " when it serves");
     assertThat(goTo.status().phase()).isEqualTo(Phase.IDLE);
+  }
+
+  @Test
+  void aGoalThatAPersonAsksForIsRefusedWhereTheWheelsAreNotFound() {
+    FollowWaypointsImpl follow = addFollow();
+    robot.hide(robot.drive);
+    assertThatThrownBy(() -> follow.pursue(PATH))
+        .isInstanceOf(NotReadyException.class)
+        .hasMessageContaining("it needs a DriveEffector on atrv1");
+    assertThat(follow.status().phase()).isEqualTo(Phase.IDLE);
+    robot.show(robot.drive);
+  }
+
+  private void stopAndRelease() {
+    Object stopped = robot.drive.emergencyStop("a test");
+    Object released = robot.drive.releaseStop("a test");
+    assertThat(List.of(stopped, released)).doesNotContainNull();
+  }
+
+  @Test
+  void anEmergencyStopEndsAGoalThatAProgramAskedForBeforeItsWheelsWereFound() throws Exception {
+    stopAndRelease(); // before the goal: this one does not count
+    robot.time.step(1);
+    FollowWaypointsImpl follow = addFollow();
+    robot.hide(robot.drive);
+    UUID unused = follow.pursueUnattended(PATH);
+    robot.time.step(1);
+    stopAndRelease();
+    robot.show(robot.drive);
+    assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", follow.status()).isTrue();
+    staysWhereItIs();
+    robot.hide(robot.drive);
+    UUID again = follow.pursueUnattended(PATH);
+    robot.time.step(1);
+    robot.show(robot.drive);
+    assertThat(robot.reaches(follow, Phase.SUCCEEDED, 60)).as("%s", follow.status()).isTrue();
+    assertThat(follow.status().goal()).isEqualTo(again);
+  }
+
+  @Test
+  void whatAGoalHasSeenOfItsWheelsIsNotForgottenWhereTheyAreNotFound() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    UUID unused = follow.pursue(PATH);
+    drive();
+    follow.pause();
+    robot.hide(robot.drive);
+    stopAndRelease();
+    follow.resume();
+    robot.show(robot.drive);
+    assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", follow.status()).isTrue();
+    staysWhereItIs();
+  }
+
+  /** Pans, for all that the wheels need to know. */
+  private static final class Camera extends BehaviorImpl<LegGoal> {
+
+    Camera(ModuleContext context) {
+      super(context, "pans a camera", "DFRA", "1", LegGoal.class, 10);
+    }
+
+    @Override
+    protected Pursuit begin(LegGoal goal) {
+      return new Pursuit() {
+        @Override
+        public Progress step() {
+          return Progress.reached("it has panned");
+        }
+
+        @Override
+        public void rest() {}
+      };
+    }
+
+    DriveInterlock wheels() {
+      return interlock();
+    }
+  }
+
+  @Test
+  void aBehaviourThatDoesNotSayThatItMovesTheWheelsReleasesNoBrake() throws Exception {
+    Camera camera = robot.add(new Camera(robot.context("camera", Map.of())));
+    robot.drive.switchBrake(true);
+    UUID unused = camera.pursue(TEN_METRES);
+    assertThat(robot.reaches(camera, Phase.SUCCEEDED, 2)).isTrue();
+    assertThat(robot.drive.braked).isEmpty();
+    assertThatThrownBy(camera::wheels)
+        .hasMessage("atrv1/camera uses the interlock of the wheels; have movesWheels return true");
   }
 
   @Test

@@ -68,6 +68,9 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   /** Its lock is taken after {@link #turning}. */
   private final StatusLine said;
 
+  /** Guarded by {@link #said}; a program has paused it, and no person has since. */
+  private boolean goesOnUnattended;
+
   private volatile boolean isOver;
 
   /**
@@ -114,9 +117,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   /**
    * A goal that has begun is about to be pursued for the first time, or a paused one again because
-   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. It
-   * releases the parking brake of the robot's wheels; a behaviour that moves no wheels overrides
-   * it.
+   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. Where
+   * the behaviour {@linkplain #movesWheels moves the wheels}, it releases their parking brake.
    *
    * @param isAttended whether somebody who knows that the robot may move has asked for it, so that
    *     a parking brake may be released
@@ -124,11 +126,31 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    *     paused one goes on nevertheless
    */
   protected void prepare(boolean isAttended) throws RemoteException {
-    interlock.prepare(isAttended);
+    if (movesWheels()) {
+      interlock.prepare(isAttended);
+    }
   }
 
-  /** Ties the goal to what was true of its robot's wheels when somebody asked for it. */
+  /**
+   * Whether its goals move the robot's wheels, also by way of other behaviours. Then the parking
+   * brake is released when a person asks for a goal, and {@link #interlock} tells whether the
+   * wheels were stopped since. One that moves nothing but a camera must not release the brake.
+   */
+  protected boolean movesWheels() {
+    return false;
+  }
+
+  /**
+   * Ties the goal to what was true of its robot's wheels when somebody asked for it.
+   *
+   * @throws IllegalStateException if the behaviour does not say that it {@linkplain #movesWheels
+   *     moves the wheels}: then nothing is tied
+   */
   protected final DriveInterlock interlock() {
+    if (!movesWheels()) {
+      throw new IllegalStateException(
+          path() + " uses the interlock of the wheels; have movesWheels return true");
+    }
     return interlock;
   }
 
@@ -244,7 +266,10 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   private UUID takeUp(Pursuit taken, Phase phase, String doing, double done, int missed) {
     UUID id = UUID.randomUUID();
-    said.begin(id, phase, doing, done, missed);
+    synchronized (said) {
+      goesOnUnattended = false;
+      said.begin(id, phase, doing, done, missed);
+    }
     pursuit = taken;
     isAtRest = true;
     if (phase == Phase.RUNNING) {
@@ -269,17 +294,22 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final void pause() {
-    stop(Phase.PAUSED, "it was told to pause");
+    stop(Phase.PAUSED, "it was told to pause", null, true);
+  }
+
+  @Override
+  public final void pauseUnattended() {
+    stop(Phase.PAUSED, "it was told to pause by a program", null, false);
   }
 
   @Override
   public final void cancel() {
-    stop(Phase.CANCELLED, "it was told to give up");
+    stop(Phase.CANCELLED, "it was told to give up", null, true);
   }
 
   @Override
   public final void cancel(UUID goal) {
-    stop(Phase.CANCELLED, "it was told to give up", goal);
+    stop(Phase.CANCELLED, "it was told to give up", goal, true);
   }
 
   @Override
@@ -291,28 +321,32 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }
-    resumeUnattended();
+    resume(true);
   }
 
   @Override
   public final void resumeUnattended() {
+    resume(false);
+  }
+
+  private void resume(boolean isAttended) {
     synchronized (said) { // who pauses it again is to find the loop that he stops
-      if (!isOver && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
+      if (!isOver
+          && (isAttended || goesOnUnattended)
+          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
+        goesOnUnattended = false; // whatever pauses it next
         loop.start();
       }
     }
-  }
-
-  private void stop(Phase wanted, String why) {
-    stop(wanted, why, null);
   }
 
   /**
    * Somebody wants it to stop: rests and says so; says so at once where a turn is held up.
    *
    * @param only the goal that is meant; null for whichever is being pursued
+   * @param isAttended false where a program may have it go on after a pause
    */
-  private void stop(Phase wanted, String why, @Nullable UUID only) {
+  private void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
     Set<Phase> from =
         wanted == Phase.CANCELLED
             ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
@@ -321,21 +355,33 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     try {
       synchronized (said) { // no other goal is taken up between the question and the stop
         BehaviorStatus now = said.now();
+        if (wanted == Phase.PAUSED && isAttended) {
+          goesOnUnattended = false; // also where it is paused already
+        }
         if (!from.contains(now.phase()) || !(only == null || only.equals(now.goal()))) {
           return;
         }
         loop.stop();
         if (!isIdle) {
-          said.move(from, wanted, why);
+          settle(from, wanted, why, isAttended);
         }
       }
       if (isIdle) {
         rest();
-        said.move(from, wanted, why);
+        settle(from, wanted, why, isAttended);
       }
     } finally {
       if (isIdle) {
         turning.unlock();
+      }
+    }
+  }
+
+  /** Who pauses it is known together with the pause. */
+  private void settle(Set<Phase> from, Phase wanted, String why, boolean isAttended) {
+    synchronized (said) {
+      if (said.move(from, wanted, why)) {
+        goesOnUnattended = wanted == Phase.PAUSED && !isAttended;
       }
     }
   }

@@ -3,10 +3,10 @@ package org.dfra.core.behavior;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.Objects;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
-import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -38,17 +38,37 @@ public final class DriveInterlock {
   private static final Duration LEASE = Duration.ofSeconds(2);
 
   /**
-   * The drive's last stop or release, as a goal has found it.
+   * The drive's last stop or release before a goal.
    *
-   * @param since when that was; null where there never was one
+   * @param since when that was, null where there never was one; or, where it is not known, when the
+   *     goal was asked for
+   * @param isKnown whether the drive was there to be asked
    */
-  public record Seen(@Nullable Instant since) {}
+  public record Seen(@Nullable Instant since, boolean isKnown) {
+
+    /** Nothing is known; any stop at all counts. */
+    public static final Seen NOTHING = unknown(Instant.EPOCH);
+
+    /** The drive was not there when the goal was asked for. */
+    static Seen unknown(Instant asked) {
+      return new Seen(asked.truncatedTo(ChronoUnit.MILLIS), false); // as exact as a drive's times
+    }
+
+    private boolean isStoppedSince(StopState now) {
+      Instant last = now.since();
+      boolean isOther =
+          isKnown || since == null
+              ? !Objects.equals(last, since)
+              : last != null && !last.isBefore(since);
+      return now.latched() || isOther;
+    }
+  }
 
   private final String path;
   private final ModuleContext context;
   private final Needed<DriveEffector> drive;
   private final Logger log;
-  private volatile @Nullable Seen seen;
+  private volatile Seen seen = Seen.NOTHING;
 
   /**
    * @param context of the behaviour
@@ -66,28 +86,27 @@ public final class DriveInterlock {
     return drive;
   }
 
-  private boolean isThere() {
-    return !context
-        .directory()
-        .find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))
-        .isEmpty();
-  }
-
   /**
-   * A goal begins, or goes on because somebody asks for it. A robot without wheels has nothing to
-   * be prepared.
+   * A goal begins, or goes on because somebody asks for it. Where a program asks, and the drive is
+   * not found yet, every stop from now on counts.
    *
    * @param isAttended whether the brake may be released
-   * @throws NotReadyException if the brake may be released, and the drive does not serve, so that
-   *     nobody knows whether it is set
+   * @throws NotReadyException if the brake may be released, and the drive is not found or does not
+   *     serve, so that nobody knows whether it is set; what was seen before still counts where it
+   *     is not found
    */
   void prepare(boolean isAttended) throws RemoteException {
-    if (!isThere()) {
-      seen = null;
+    DriveEffector wheels;
+    try {
+      wheels = drive.now();
+    } catch (NotReadyException e) {
+      if (isAttended) {
+        throw e;
+      }
+      seen = Seen.unknown(context.clock().instant());
       return;
     }
-    DriveEffector wheels = drive.now();
-    seen = new Seen(wheels.stopState().since());
+    seen = new Seen(wheels.stopState().since(), true);
     if (!isAttended) {
       return;
     }
@@ -112,13 +131,13 @@ public final class DriveInterlock {
     }
   }
 
-  /** What the goal has found; null where it does not know. */
-  public @Nullable Seen seen() {
+  /** What the goal has found. */
+  public Seen seen() {
     return seen;
   }
 
   /** What the same goal found in an earlier process. */
-  public void restore(@Nullable Seen earlier) {
+  public void restore(Seen earlier) {
     seen = earlier;
   }
 
@@ -131,19 +150,13 @@ public final class DriveInterlock {
    * @throws NotReadyException if the wheels are not there
    */
   public void requireNotStoppedSince() throws RemoteException {
-    if (seen != null) {
-      requireNotStoppedSince(drive.now());
-    }
+    requireNotStoppedSince(drive.now());
   }
 
   /** The same of these wheels. */
   public void requireNotStoppedSince(DriveEffector wheels) throws RemoteException {
-    Seen begun = seen;
-    if (begun == null) {
-      return;
-    }
     StopState now = wheels.stopState();
-    if (now.latched() || !Objects.equals(now.since(), begun.since())) {
+    if (seen.isStoppedSince(now)) {
       throw new StoppedCommandException(
           path
               + ": its drive was stopped for an emergency after the goal was begun, "

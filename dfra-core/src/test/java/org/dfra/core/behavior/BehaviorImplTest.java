@@ -185,6 +185,36 @@ class BehaviorImplTest {
   }
 
   @Test
+  void aProgramResumesWhatAProgramPausedAndNothingElse() throws Exception {
+    UUID goal = genie.pursue(new Wish("gold"));
+    genie.pauseUnattended();
+    assertThat(genie.status().phase()).isEqualTo(Phase.PAUSED);
+    genie.resumeUnattended();
+    assertThat(genie.status().phase()).isEqualTo(Phase.RUNNING);
+
+    genie.pauseUnattended();
+    genie.pause(); // somebody steps in front of it
+    genie.pauseUnattended(); // which changes nothing
+    genie.resumeUnattended();
+    assertThat(genie.status().phase()).as("a person paused it since").isEqualTo(Phase.PAUSED);
+    genie.resume();
+    assertThat(genie.status().phase()).isEqualTo(Phase.RUNNING);
+
+    genie.pause();
+    genie.resumeUnattended();
+    assertThat(genie.status().phase()).as("a person paused it").isEqualTo(Phase.PAUSED);
+    genie.resume();
+
+    genie.pauseUnattended();
+    genie.resume();
+    turns.add(Progress.held("its brake is set", 0.5));
+    awaitPhase(genie, Phase.PAUSED);
+    genie.resumeUnattended();
+    assertThat(genie.status().phase()).as("a brake paused it").isEqualTo(Phase.PAUSED);
+    assertThat(genie.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
   void waitsAtRestForWhatIsMissingAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(Progress.going("it digs", 0.4));

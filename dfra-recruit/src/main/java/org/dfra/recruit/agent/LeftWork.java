@@ -58,7 +58,7 @@ final class LeftWork {
           if (left.add(search.path())) {
             keep(); // before it pauses: one that is only listed as left goes on as it did
           }
-          search.module().pause();
+          search.module().pauseUnattended();
         }
       } catch (RemoteException | NotReadyException e) {
         log.warn("{}: {} cannot be paused: {}", context.path(), search.path(), e.toString());
@@ -66,7 +66,9 @@ final class LeftWork {
     }
   }
 
-  /** Has those go on that it paused; tells whether all do. */
+  /**
+   * Has those go on that it paused, unless a person has paused them since; tells whether all do.
+   */
   boolean goOn() {
     for (ModuleListing<RasterSearch> search : searches()) {
       if (left.contains(search.path())) {
@@ -80,6 +82,15 @@ final class LeftWork {
       }
     }
     return left.isEmpty();
+  }
+
+  /** Has none of them go on by itself: somebody has stopped the robot, and has them go on. */
+  void leaveToPeople() {
+    if (!left.isEmpty()) {
+      log.info("{}: these wait until somebody resumes them: {}", context.path(), left);
+      left.clear();
+      keep();
+    }
   }
 
   private List<ModuleListing<RasterSearch>> searches() {

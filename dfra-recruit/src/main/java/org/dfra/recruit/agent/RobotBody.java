@@ -37,7 +37,7 @@ final class RobotBody implements Body, AutoCloseable {
     this.senses = new Senses(context, log);
     this.errands = new Errands("dfra-body " + context.path(), context.robotTime());
     this.work = new LeftWork(context, log);
-    this.trip = new Trip(context, errands, work::leave, log);
+    this.trip = new Trip(context, errands, work, log);
   }
 
   void start() {
@@ -147,9 +147,13 @@ final class RobotBody implements Body, AutoCloseable {
         });
   }
 
-  /** Tries again where a search does not answer, until it is called away. */
+  /**
+   * Tries again where a search does not answer, until it is called away. As long as it is not known
+   * whether somebody has stopped the trip of an earlier process, nothing goes on.
+   */
   private void goOn() {
-    if (!isAway && !work.goOn() && !isRetrying) {
+    boolean isDone = isAway || (trip.isSettled() && work.goOn());
+    if (!isDone && !isRetrying) {
       isRetrying = true;
       errands.later(
           2 * Trip.LOOK_NANOS,

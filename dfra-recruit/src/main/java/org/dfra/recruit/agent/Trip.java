@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
@@ -16,6 +19,10 @@ import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.recruit.agent.Body.Journey;
@@ -45,33 +52,51 @@ final class Trip {
    *
    * @param goal its name
    * @param place where to, as text
+   * @param asked when the agent was asked to go there, by the robot's clock
    */
-  private record Begun(UUID goal, String place) {}
+  private record Begun(UUID goal, String place, Instant asked) {
+
+    static Begun of(String text) {
+      String[] lines = text.split("\n", 3);
+      return new Begun(
+          UUID.fromString(lines[0]),
+          lines.length > 1 ? lines[1] : "",
+          lines.length > 2 ? Instant.parse(lines[2]) : Instant.EPOCH); // any stop counts then
+    }
+
+    String text() {
+      return goal + "\n" + place + "\n" + asked;
+    }
+  }
 
   private final String path;
+  private final ModuleContext context;
   private final StateStore state;
   private final Errands errands;
   private final Delegation<LegGoal, GoToWaypoint> travel;
-  private final Runnable leave;
+  private final LeftWork work;
   private final Logger log;
   private final Scheduler time;
   private @Nullable Journey journey;
   private long leaseEnd; // of the journey, nanoseconds
   private @Nullable LegGoal aim; // of the last journey
+  private Instant asked = Instant.EPOCH; // for that
   private @Nullable Begun inherited; // until it is known whether that is still under way
   private boolean isKept; // that one was begun
   private boolean isResting; // as soon as it can
   private volatile boolean isOver;
 
   /**
-   * @param leave leaves what the robot is at, where that still holds what drives
+   * @param work is left where it still holds what drives, and stays so where a person has stopped
+   *     the trip
    */
-  Trip(ModuleContext context, Errands errands, Runnable leave, Logger log) {
+  Trip(ModuleContext context, Errands errands, LeftWork work, Logger log) {
     this.path = context.path();
+    this.context = context;
     this.state = context.state();
     this.errands = errands;
     this.time = context.robotTime();
-    this.leave = leave;
+    this.work = work;
     this.log = log;
     this.travel =
         new Delegation<>(
@@ -82,12 +107,11 @@ final class Trip {
   void recall() {
     try {
       String text = new String(state.read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
-      int line = text.indexOf('\n');
-      if (line > 0) {
-        inherited = new Begun(UUID.fromString(text.substring(0, line)), text.substring(line + 1));
+      if (!text.isEmpty()) {
+        inherited = Begun.of(text);
         isKept = true;
       }
-    } catch (IOException | IllegalArgumentException e) {
+    } catch (IOException | IllegalArgumentException | DateTimeParseException e) {
       log.warn("{}: it does not know where it was going: {}", path, e.toString());
     }
   }
@@ -107,15 +131,21 @@ final class Trip {
     }
   }
 
-  /** Takes over what was begun in an earlier process, unless that led elsewhere: then ends it. */
+  /**
+   * Takes over what was begun in an earlier process, also where it has ended since, so that a leg
+   * that somebody has stopped is not begun anew. One that led elsewhere is ended.
+   */
   private void inherit(@Nullable GeoPosition place) throws RemoteException {
     Begun last = inherited;
     if (last == null) {
       return;
     }
-    boolean isAtIt = travel.adopt(last.goal());
+    boolean isKnown = travel.adoptWithOutcome(last.goal());
+    if (isKnown) {
+      travel.status().ifPresent(this::heed);
+    }
     inherited = null;
-    if (isAtIt && (place == null || !last.place().equals(place.toString()))) {
+    if (isKnown && (place == null || !last.place().equals(place.toString()))) {
       travel.end();
     }
   }
@@ -131,6 +161,11 @@ final class Trip {
     if (!goal.equals(aim)) {
       travel.end();
     }
+    Begun last = inherited;
+    asked =
+        last != null && last.place().equals(goal.to().toString())
+            ? last.asked()
+            : context.clock().instant();
     aim = goal;
     leaseEnd = end;
     journey = told;
@@ -145,7 +180,13 @@ final class Trip {
     try {
       inherit(goal.to());
       Optional<BehaviorStatus> status = travel.status();
-      if (status.isEmpty()) {
+      if (status.isEmpty() && isStoppedSince()) {
+        journey = null;
+        forget();
+        work.leaveToPeople();
+        of.failed("it was stopped for an emergency after it was asked to come");
+        return;
+      } else if (status.isEmpty()) {
         begun(goal, of);
       } else if (hasEnded(status.get(), of)) {
         return;
@@ -154,6 +195,23 @@ final class Trip {
       log.info("{}: it waits: {}", path, e.toString());
     }
     errands.later(LOOK_NANOS, () -> look(goal, of));
+  }
+
+  /**
+   * Whether its wheels were stopped for an emergency since it was asked to go there, released or
+   * not. What drives may have died meanwhile, so that its goal does not say so.
+   */
+  private boolean isStoppedSince() throws RemoteException {
+    for (ModuleListing<DriveEffector> each :
+        context.directory().find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))) {
+      StopState stop = each.module().stopState();
+      Instant since = stop.since();
+      Instant first = asked.truncatedTo(ChronoUnit.MILLIS); // as exact as since is
+      if (stop.latched() || (since != null && !since.isBefore(first))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void begun(LegGoal goal, Journey of) throws RemoteException {
@@ -166,10 +224,10 @@ final class Trip {
     }
     try {
       travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
-      travel.goal().ifPresent(name -> keep(name + "\n" + goal.to()));
+      travel.goal().ifPresent(name -> keep(new Begun(name, goal.to().toString(), asked).text()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
-        leave.run(); // again: it may not have answered, or not been found
+        work.leave(); // again: it may not have answered, or not been found
       } else {
         journey = null;
         of.failed(String.valueOf(e.getMessage()));
@@ -182,6 +240,7 @@ final class Trip {
     if (status.phase() == Phase.RUNNING) {
       return false;
     }
+    heed(status);
     if (status.phase() == Phase.PAUSED) { // as by a brake: nobody knows when it goes on
       travel.end();
     } else {
@@ -197,9 +256,24 @@ final class Trip {
     return true;
   }
 
+  /**
+   * A leg that was paused or cancelled by others: somebody may stand before the robot. What it left
+   * to help must not move it either.
+   */
+  private void heed(BehaviorStatus status) {
+    if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
+      work.leaveToPeople();
+    }
+  }
+
   /** It stands where it is, and nobody is told. */
   void end() {
     journey = null;
+    try {
+      travel.status().ifPresent(this::heed); // it may have been paused since it was looked at
+    } catch (RemoteException | NotReadyException e) {
+      log.debug("{}: it does not know how its leg is: {}", path, e.toString());
+    }
     rest();
   }
 
@@ -226,6 +300,11 @@ final class Trip {
             });
       }
     }
+  }
+
+  /** Whether it is known what became of the trip of an earlier process. */
+  boolean isSettled() {
+    return inherited == null;
   }
 
   /** Begins nothing any more; by any thread. */

@@ -3,6 +3,7 @@ package org.dfra.recruit.agent;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.recruit.agent.BodyModules.at;
 
+import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -13,6 +14,9 @@ import org.dfra.agent.HelpCall;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.LegGoal;
 import org.dfra.core.behavior.Progress;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.StopState;
+import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +59,117 @@ class OrphanedTripTest extends BodyFixture {
     modules.step(1);
     assertThat(told).containsExactly("arrived");
     assertThat(driver.status().goal()).isEqualTo(goal);
+  }
+
+  @Test
+  void whatSomebodyHasStoppedWhileItWasDeadIsNotBegunAnew() throws RemoteException {
+    for (boolean isPaused : List.of(true, false)) {
+      UUID raster = search.pursue(FIELD);
+      modules.step(1);
+      UUID goal = bereave();
+      if (isPaused) {
+        driver.pause();
+      } else {
+        driver.cancel();
+      }
+      modules.hide(driver); // in a new process nothing is found at first
+      told.clear();
+      body.go(CALL, Long.MAX_VALUE, journey);
+      modules.step(2);
+      modules.show(driver);
+      modules.step(2);
+      assertThat(told).hasSize(1).doesNotContain("arrived");
+      assertThat(driver.status().goal()).as("none is begun").isEqualTo(goal);
+      assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+      body.resume();
+      modules.step(3);
+      assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+      search.cancel(raster);
+    }
+  }
+
+  @Test
+  void nothingGoesOnBeforeItIsKnownWhetherSomebodyHasStoppedIt() throws RemoteException {
+    UUID raster = search.pursue(FIELD);
+    modules.step(1);
+    UUID unused = bereave();
+    driver.pause();
+    modules.hide(driver);
+    body.resume(); // it helps nobody any more
+    modules.step(3);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    modules.show(driver);
+    modules.step(3);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(search.status().goal()).isEqualTo(raster);
+  }
+
+  /** The agent dies, the wheels are stopped and released, and what drove them has died too. */
+  @Test
+  void aTripWhoseWheelsWereStoppedWhileNobodyLookedIsNotBegunAnew() {
+    StoppedDrive wheels = new StoppedDrive(modules);
+    UUID unused = bereave();
+    modules.end(driver);
+    modules.step(1);
+    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null); // released
+    Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(3);
+    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
+    assertThat(again.goal).as("nothing is begun").isNull();
+    told.clear();
+    body.go(CALL, Long.MAX_VALUE, journey); // asked anew
+    modules.step(1);
+    assertThat(told).isEmpty();
+    assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void aLegThatWasLostIsBegunAnewUnlessTheWheelsWereStoppedSince() throws RemoteException {
+    StoppedDrive wheels = new StoppedDrive(modules);
+    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    LegGoal own = Objects.requireNonNull(driver.goal);
+    lose();
+    modules.step(1);
+    assertThat(driver.goal).as("not stopped since").isEqualTo(own);
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    lose();
+    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null);
+    modules.step(1);
+    assertThat(driver.goal).as("it is not begun anew").isNotEqualTo(own);
+    assertThat(told).hasSize(1);
+  }
+
+  /** What drives does not know its goal any more, as after a restart. */
+  private void lose() throws RemoteException {
+    driver.cancel();
+    UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
+    driver.cancel(others);
+  }
+
+  /** Wheels of which only their emergency stop is asked. */
+  private static final class StoppedDrive {
+
+    private volatile StopState stop = StopState.NEVER;
+
+    StoppedDrive(BodyModules modules) {
+      DriveEffector drive =
+          (DriveEffector)
+              Proxy.newProxyInstance(
+                  DriveEffector.class.getClassLoader(),
+                  new Class<?>[] {DriveEffector.class},
+                  (proxy, method, args) ->
+                      switch (method.getName()) {
+                        case "equals" -> proxy == args[0];
+                        case "hashCode" -> 1;
+                        case "stopState" -> stop;
+                        default -> throw new AssertionError(method);
+                      });
+      modules.list(UUID.randomUUID(), "drive", drive);
+    }
   }
 
   @Test

@@ -6,6 +6,7 @@ import static org.dfra.recruit.agent.BodyModules.at;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.UUID;
@@ -162,6 +163,47 @@ class RobotBodyTest extends BodyFixture {
     body.resume();
     modules.step(5);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+  }
+
+  @Test
+  void aSearchThatItsOperatorPausesWhileItHelpsStaysSo() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    search.pause();
+    body.resume();
+    modules.step(5);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+  }
+
+  /** Somebody stops it on its way, and steps in front of it. */
+  @Test
+  void aLegThatItsOperatorStopsDoesNotHaveItsSearchGoOn() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    for (boolean isPaused : List.of(true, false)) {
+      for (boolean isReleasedAtOnce : List.of(true, false)) {
+        modules.step(1);
+        assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+        told.clear();
+        body.go(CALL, Long.MAX_VALUE, journey);
+        modules.step(1);
+        if (isPaused) {
+          driver.pause();
+        } else {
+          driver.cancel();
+        }
+        if (!isReleasedAtOnce) {
+          modules.step(1);
+          assertThat(told).hasSize(1);
+        }
+        body.resume(); // as the agent does, whose trip has failed, or which is called off
+        modules.step(5);
+        assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+        assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+        search.resume();
+      }
+    }
   }
 
   @Test

@@ -48,6 +48,11 @@ public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> exten
   }
 
   @Override
+  public final void pauseUnattended() throws RemoteException {
+    target().pauseUnattended();
+  }
+
+  @Override
   public final void resume() throws RemoteException {
     target().resume();
   }

@@ -50,6 +50,11 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
   }
 
   @Override
+  public final void pauseUnattended() throws RemoteException {
+    module().pauseUnattended();
+  }
+
+  @Override
   public final void resume() throws RemoteException {
     module().resume();
   }
