@@ -1,6 +1,7 @@
 package org.dfra.app.robot;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -75,7 +76,7 @@ final class NamesakeSearch implements AutoCloseable {
     }
     try {
       return listing.module().readiness() != null;
-    } catch (Exception e) { // as modules declare it: whatever it is, it is no sign of life
+    } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own: no sign of life
       return false;
     }
   }

@@ -42,15 +42,16 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   /** Has a task run, unless this is closed. Never waits. */
   @Override
   public void execute(Runnable task) {
-    if (scheduler.isLockStep()) {
-      task.run();
-      return;
-    }
     synchronized (this) {
-      if (!closed) {
+      if (closed) {
+        return;
+      }
+      if (!scheduler.isLockStep()) {
         thread().execute(task);
+        return;
       }
     }
+    task.run();
   }
 
   private ThreadPoolExecutor thread() {
@@ -71,6 +72,14 @@ public final class SerialExecutor implements Executor, AutoCloseable {
       thread = made;
     }
     return made;
+  }
+
+  /** Takes no more tasks, and drops those that have not begun; the one that has is interrupted. */
+  public synchronized void closeNow() {
+    closed = true;
+    if (thread != null) {
+      thread.shutdownNow();
+    }
   }
 
   /** Takes no more tasks; those that it has are run, and none is interrupted. */

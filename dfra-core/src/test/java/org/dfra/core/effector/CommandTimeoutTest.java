@@ -10,7 +10,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -64,56 +65,22 @@ class CommandTimeoutTest {
         () -> heldUp.obey(key, velocity), task -> new Thread(task).start());
   }
 
-  /** How late a thread that only sleeps was; the machine did not run it for so long. */
-  private static final class StallProbe extends Thread {
-    private final AtomicBoolean over = new AtomicBoolean();
-    private volatile long worst; // nanoseconds
-
-    StallProbe() {
-      super("stall probe");
-      setDaemon(true);
-    }
-
-    @Override
-    public void run() {
-      long last = System.nanoTime();
-      while (!over.get()) {
-        try {
-          Thread.sleep(5);
-        } catch (InterruptedException e) {
-          return;
-        }
-        long now = System.nanoTime();
-        worst = Math.max(worst, now - last);
-        last = now;
-      }
-    }
-
-    long end() {
-      over.set(true);
-      return worst;
-    }
-  }
-
   @Test
   void aDriverThatIsHeldUpDoesNotDelayTheTimeoutOfAnother() throws Exception {
     CompletableFuture<Void> writing = holdUp(heldUp.command(LEASE).key());
     CommandKey key = other.command(LEASE).key();
-    StallProbe probe = new StallProbe();
-    probe.start();
-    other.obey(key, AHEAD);
-    long begun = System.nanoTime();
-    await()
-        .pollInterval(Duration.ofMillis(5))
-        .atMost(PATIENCE)
-        .until(() -> other.told.contains("halt"));
-    long halted = System.nanoTime() - begun;
-    long stalled = probe.end();
-    assertThat(writing).as("the first is held up all the while").isNotDone();
-    assertThat(other.drive().silences()).isEqualTo(1);
-    assertThat(halted - 2 * stalled)
-        .as("halted after %d ns, while the machine stalled for %d ns at most", halted, stalled)
-        .isLessThan(TimeUnit.MILLISECONDS.toNanos(500));
+    try (StallProbe probe = StallProbe.start()) {
+      other.obey(key, AHEAD);
+      StallProbe.Stopwatch begun = probe.stopwatch();
+      await()
+          .pollInterval(Duration.ofMillis(5))
+          .atMost(PATIENCE)
+          .until(() -> other.told.contains("halt"));
+      Timing halted = begun.stop();
+      assertThat(writing).as("the first is held up all the while").isNotDone();
+      assertThat(other.drive().silences()).isEqualTo(1);
+      halted.requireWithin("the halt after the last velocity", Duration.ofMillis(500));
+    }
   }
 
   @Test

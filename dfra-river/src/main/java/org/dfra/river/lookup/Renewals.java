@@ -7,16 +7,15 @@ import java.time.Instant;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.lease.LeaseListener;
 import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
+import org.dfra.river.call.CallThreads;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.Task;
 import org.jspecify.annotations.Nullable;
@@ -50,19 +49,7 @@ final class Renewals extends LeaseRenewalManager implements AutoCloseable {
 
   private static final long SHORTEST_WAIT = TimeUnit.MILLISECONDS.toNanos(50);
 
-  private static final AtomicInteger NAMES = new AtomicInteger();
-  private static final ThreadPoolExecutor CALLERS =
-      new ThreadPoolExecutor(
-          0,
-          Integer.MAX_VALUE,
-          10,
-          TimeUnit.SECONDS,
-          new SynchronousQueue<>(),
-          task -> {
-            Thread thread = new Thread(task, "dfra-registration-" + NAMES.incrementAndGet());
-            thread.setDaemon(true);
-            return thread;
-          });
+  private static final ThreadPoolExecutor CALLERS = CallThreads.pool("dfra-registration-");
 
   private final Scheduler time;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();

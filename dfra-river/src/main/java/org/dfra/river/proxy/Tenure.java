@@ -7,14 +7,13 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.call.CallThreads;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.Task;
@@ -47,19 +46,7 @@ final class Tenure implements AutoCloseable {
   private static final long PERIOD_MILLIS = 800;
 
   private static final System.Logger LOG = System.getLogger(Tenure.class.getName());
-  private static final AtomicInteger NAMES = new AtomicInteger();
-  private static final ThreadPoolExecutor CALLERS =
-      new ThreadPoolExecutor(
-          0,
-          Integer.MAX_VALUE,
-          10,
-          TimeUnit.SECONDS,
-          new SynchronousQueue<>(),
-          task -> {
-            Thread thread = new Thread(task, "dfra-renewal-" + NAMES.incrementAndGet());
-            thread.setDaemon(true);
-            return thread;
-          });
+  private static final ThreadPoolExecutor CALLERS = CallThreads.pool("dfra-renewal-");
 
   private final String what;
   private final Registration registration;
