@@ -216,7 +216,7 @@ class TestVerbTest {
     assertThat(Files.readString(house.resolve("target/test.log"))).contains(slowest);
   }
 
-  /** Surefire writes no report of what it had to end, and Maven is told to ignore failures. */
+  /** Surefire writes no report of what it had to end, and Maven ignores failures. */
   @Test
   void countsAProcessOfTestsThatHungAndABuildThatFailed() throws Exception {
     leaveReport("dfra-a", "FirstTest", "1.5", false);

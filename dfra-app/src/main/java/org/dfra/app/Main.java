@@ -83,7 +83,8 @@ public final class Main {
     SerialFilters.install(); // before anything is read that somebody else wrote
     if (System.getenv(LOG_LEVEL) == null && System.getProperty(LOG_LEVEL) == null) {
       System.setProperty(LOG_LEVEL, "WARN"); // a terminal is for answers
-      LogLevels.service().set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // told by verbs
+      LogLevels.service()
+          .set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // verbs report it
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();

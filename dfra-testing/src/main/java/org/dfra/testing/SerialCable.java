@@ -103,7 +103,7 @@ public final class SerialCable implements AutoCloseable {
         buffer.clear();
       }
     } catch (IOException e) {
-      open.remove(source); // one of them is gone, which the other is told by its end
+      open.remove(source); // one of them is gone, which ends the other
     } finally {
       end(source);
       end(sink);

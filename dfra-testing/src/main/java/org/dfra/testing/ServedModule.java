@@ -160,7 +160,7 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
-  /** The same with another driver, which is told nothing yet: parameters are a driver's own. */
+  /** The same with another driver, which has no parameters yet: parameters are a driver's own. */
   public ServedModule<S> driven(Class<? extends ModuleImpl> driver) {
     ModuleDescription old = activation.module();
     return described(

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 
 /**
  * Two hosts on one machine: network namespaces whose interfaces end in a switch, a third one, where
- * their connection can be cut and mended without either of them being told. Each host has one real
+ * their connection can be cut and mended without notifying either of them. Each host has one real
  * interface, over which multicast goes, and a loopback of its own.
  *
  * <p>Making them needs root on Linux; where that is not to be had, {@link #refusal} says why, and a

@@ -31,9 +31,9 @@ public final class Numerals {
 
   /** Whether most cells of a column are numbers, so that it is read best on its right. */
   static boolean areNumbers(List<String> cells) {
-    long told = cells.stream().filter(each -> !each.isBlank() && !each.equals("-")).count();
+    long filled = cells.stream().filter(each -> !each.isBlank() && !each.equals("-")).count();
     long numbers = cells.stream().filter(each -> NUMBER.matcher(each).matches()).count();
-    return numbers > 0 && 2 * numbers > told;
+    return numbers > 0 && 2 * numbers > filled;
   }
 
   /** With ten digits at most, and a power of ten where it is very large or small. */

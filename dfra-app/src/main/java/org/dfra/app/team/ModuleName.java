@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  */
 record ModuleName(String text, @Nullable String robot, @Nullable String place, String module) {
 
-  /** Enough of a service ID to be told from another. */
+  /** Enough of a service ID to differ from another. */
   private static final int ID_LENGTH = 8;
 
   static ModuleName of(String text) {

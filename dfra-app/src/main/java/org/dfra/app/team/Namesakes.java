@@ -17,7 +17,7 @@ import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 
 /**
- * Robots of one name in a team. A robot is told from its namesakes by its host; two on one host,
+ * Robots of one name in a team. A robot differs from its namesakes by its host; two on one host,
  * each with a phoenix of its own, by the identities of their modules.
  */
 public final class Namesakes {

@@ -1,23 +1,14 @@
 package org.dfra.app.team;
 
-import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A module that does not serve, and why.
@@ -36,54 +27,42 @@ public record Unready(UUID id, String path, Readiness state, String reason) {
    */
   public static List<Unready> among(List<? extends ModuleListing<?>> modules, Duration deadline)
       throws InterruptedException {
-    ExecutorService askers =
-        Executors.newCachedThreadPool(
-            task -> {
-              Thread thread = new Thread(task, "dfra-asks-why");
-              thread.setDaemon(true);
-              return thread;
-            });
-    try {
-      Map<ModuleListing<?>, Future<@Nullable String>> asked = new LinkedHashMap<>();
-      for (ModuleListing<?> each : modules) {
-        Optional<Readiness> state = state(each);
-        if (!each.stale() && state.isPresent() && !state.get().serves()) {
-          asked.put(each, askers.submit(() -> reason(each)));
-        }
+    List<ModuleListing<?>> asked = new ArrayList<>();
+    for (ModuleListing<?> each : modules) {
+      Optional<Readiness> state = state(each);
+      if (!each.stale() && state.isPresent() && !state.get().serves()) {
+        asked.add(each);
       }
-      long end = System.nanoTime() + deadline.toNanos();
-      List<Unready> all = new ArrayList<>();
-      for (Map.Entry<ModuleListing<?>, Future<@Nullable String>> each : asked.entrySet()) {
-        ModuleListing<?> module = each.getKey();
-        @Nullable String reason = answer(each.getValue(), end - System.nanoTime());
-        if (reason != null) { // else it has come to serve meanwhile
-          all.add(new Unready(module.id(), module.path(), state(module).orElseThrow(), reason));
-        }
-      }
-      return all;
-    } finally {
-      askers.shutdownNow();
     }
+    List<Optional<String>> reasons =
+        Inquiry.of(
+            asked,
+            each -> () -> Optional.ofNullable(Administration.of(each).unreadiness()),
+            cause -> Optional.of(unanswered(cause)),
+            deadline);
+    List<Unready> all = new ArrayList<>();
+    for (int i = 0; i < asked.size(); i++) {
+      ModuleListing<?> module = asked.get(i);
+      // Else it has come to serve meanwhile.
+      reasons
+          .get(i)
+          .ifPresent(
+              reason ->
+                  all.add(
+                      new Unready(
+                          module.id(), module.path(), state(module).orElseThrow(), reason)));
+    }
+    return all;
   }
 
   private static Optional<Readiness> state(ModuleListing<?> module) {
     return module.attributes(ModuleAttributes.class).map(ModuleAttributes::state);
   }
 
-  private static @Nullable String reason(ModuleListing<?> module) throws RemoteException {
-    return Administration.of(module).unreadiness();
-  }
-
-  private static @Nullable String answer(Future<@Nullable String> asked, long nanos)
-      throws InterruptedException {
-    try {
-      return asked.get(Math.max(0, nanos), TimeUnit.NANOSECONDS);
-    } catch (TimeoutException e) {
-      asked.cancel(true);
-      return "it does not answer why; see whether its process hangs";
-    } catch (ExecutionException e) {
-      return "it does not say why (" + root(e) + ")";
-    }
+  private static String unanswered(Throwable cause) {
+    return cause instanceof TimeoutException
+        ? "it does not answer why; see whether its process hangs"
+        : "it does not say why (" + root(cause) + ")";
   }
 
   /** In one line; one of an older version, say, does not know the question. */

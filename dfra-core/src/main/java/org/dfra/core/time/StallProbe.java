@@ -11,7 +11,7 @@ import java.util.function.LongSupplier;
 
 /**
  * Measures whether this computer runs its programs on time, so that a program that was late can be
- * told from a program that was kept waiting.
+ * distinguished from a program that was kept waiting.
  *
  * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
  * that is a <em>stall</em>: the computer was suspended, swapped, or its host gave it no processor.

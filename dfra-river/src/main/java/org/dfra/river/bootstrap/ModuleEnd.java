@@ -104,7 +104,7 @@ final class ModuleEnd {
     patience.pause();
   }
 
-  /** One line: the causes of remote failures are told on lines of their own. */
+  /** One line: the causes of remote failures are printed on lines of their own. */
   private static String message(Throwable failure) {
     return String.valueOf(failure.getMessage()).lines().findFirst().orElse("").strip();
   }

@@ -22,7 +22,7 @@ final class NotEndedException extends ActivationException {
             + module.activation().module().path()
             + " and try again");
     if (cause != null) {
-      addSuppressed(cause); // as a cause its message would be told twice
+      addSuppressed(cause); // as a cause its message would be printed twice
     }
   }
 }

@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
  * the calls are made by threads that exist while a call is under way, so a silent server delays
  * nobody else's renewal. How long the lease lasts goes by monotonic time: setting the computer's
- * clock ends none and prolongs none. A tenure is kept alive by the timer; it ends when it is
- * closed, or hears that its lease was revoked, or has lost one that does not come back.
+ * clock ends none and prolongs none. It is kept alive by the timer; it ends when it is closed, or
+ * hears that its lease was revoked, or has lost one that does not come back.
  */
 final class Tenure implements AutoCloseable {
 

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * and for {@code @@Bb} and {@code @@Bo} when they change. A receiver that has sent no position
  * after {@value #PATIENCE_SECONDS} s is asked for {@code @@Ea} and {@code @@En} too, since it may
  * have eight channels only. Once a twelve-channel position has come, {@code @@Ea} is no longer
- * listened to, and the receiver is told to stop it if it was asked for. A receiver of eight
+ * listened to, and the receiver is commanded to stop it if it was asked for. A receiver of eight
  * channels is set to hold its position or not by {@code @@At}, and holds one where the last
  * {@code @@At} was 1.
  *

@@ -23,10 +23,11 @@ import org.jspecify.annotations.Nullable;
  * {@code GNS} height and quality, {@code GSA} the dimensions, {@code VTG} speed and course, {@code
  * ZDA} the date; no sentence says that it is the last of its moment.
  *
- * <p>A solution is told as soon as both {@code RMC} and {@code GGA} (or {@code GNS}) of a moment
- * are there, or the one of them that the receiver sends; what is still incomplete when the next
- * moment begins is told then. Of {@code GSA} and {@code GSV} the last ones count, which may be
- * those of the moment before; of speed and course those of the last 2 s, see {@link NmeaMotion}.
+ * <p>A solution is published as soon as both {@code RMC} and {@code GGA} (or {@code GNS}) of a
+ * moment are there, or the one of them that the receiver sends; what is still incomplete when the
+ * next moment begins is published then. Of {@code GSA} and {@code GSV} the last ones count, which
+ * may be those of the moment before; of speed and course those of the last 2 s, see {@link
+ * NmeaMotion}.
  *
  * <p>Confined to one thread.
  */
