@@ -1,5 +1,6 @@
 package org.dfra.phoenix;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 import static org.awaitility.Awaitility.await;
 
@@ -20,6 +21,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import net.jini.core.discovery.LookupLocator;
@@ -85,7 +88,8 @@ class ClockStepIT {
                   "FAKETIME_TIMESTAMP_FILE=" + clock,
                   "FAKETIME_CACHE_DURATION=1",
                   "FAKETIME_DONT_FAKE_MONOTONIC=1",
-                  "DONT_FAKE_MONOTONIC=1"));
+                  "DONT_FAKE_MONOTONIC=1",
+                  "FAKETIME_FORCE_MONOTONIC_FIX=0")); // it ends every timed wait at once
       command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
       command.add(main.getName());
       command.addAll(List.of(arguments));
@@ -99,12 +103,13 @@ class ClockStepIT {
       }
     }
 
-    /** Sets it that far before or after the computer's, and proves it. */
+    /** Sets it that far before or after the computer's, and proves that it waits as before. */
     void step(long seconds) throws Exception {
       set(seconds);
       await("clock set by " + seconds + " s") // it looks at the file once a second
           .atMost(PATIENCE)
           .until(() -> ahead().minusSeconds(seconds).abs().compareTo(LEASE) < 0);
+      assertThat(Long.parseLong(process.ask("wait"))).as("ms waited").isGreaterThan(99);
     }
 
     private Duration ahead() throws Exception {
@@ -122,11 +127,16 @@ class ClockStepIT {
     }
   }
 
-  /** Answers each line with its time. */
-  private static void answer() throws IOException {
+  /** Answers each line: with its time, or with how many milliseconds a wait of 100 ms took. */
+  private static void answer() throws Exception {
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
-    while (in.readLine() != null) {
-      System.out.println(TalkingProcess.SAID + Instant.now());
+    CountDownLatch never = new CountDownLatch(1);
+    for (String line = in.readLine(); line != null; line = in.readLine()) {
+      long begun = System.nanoTime();
+      boolean isWait = line.equals("wait") && !never.await(100, TimeUnit.MILLISECONDS);
+      Object answer =
+          isWait ? Duration.ofNanos(System.nanoTime() - begun).toMillis() : Instant.now();
+      System.out.println(TalkingProcess.SAID + answer);
     }
   }
 
