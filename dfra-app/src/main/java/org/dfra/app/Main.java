@@ -9,6 +9,7 @@ import org.dfra.app.event.EventCommand;
 import org.dfra.app.fuzzy.FuzzyCommand;
 import org.dfra.app.lease.LeaseCommand;
 import org.dfra.app.log.LogCommand;
+import org.dfra.app.log.LogbackSetup;
 import org.dfra.app.module.ModuleCommand;
 import org.dfra.app.persona.PersonaCommand;
 import org.dfra.app.recruit.RecruitCommand;
@@ -62,9 +63,6 @@ public final class Main {
 
   static final String VERSION = "dfra 0.1.0";
 
-  /** Environment variable or system property with the level of the log. */
-  private static final String LOG_LEVEL = "DFRA_LOG";
-
   private static final String STOP = "stop";
 
   private Main() {}
@@ -81,8 +79,9 @@ public final class Main {
   /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
   public static void main(String[] args) {
     SerialFilters.install(); // before anything is read that somebody else wrote
-    if (System.getenv(LOG_LEVEL) == null && System.getProperty(LOG_LEVEL) == null) {
-      System.setProperty(LOG_LEVEL, "WARN"); // a terminal is for answers
+    if (System.getenv(LogbackSetup.LEVEL) == null
+        && System.getProperty(LogbackSetup.LEVEL) == null) {
+      System.setProperty(LogbackSetup.LEVEL, "WARN"); // a terminal is for answers
       LogLevels.service()
           .set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // verbs report it
     }

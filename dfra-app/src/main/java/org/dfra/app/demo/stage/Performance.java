@@ -1,6 +1,7 @@
 package org.dfra.app.demo.stage;
 
 import java.io.IOException;
+import org.dfra.app.log.LogbackSetup;
 import org.dfra.core.log.LogLevels;
 import org.dfra.module.LogLevel;
 
@@ -9,9 +10,6 @@ import org.dfra.module.LogLevel;
  * it did, figures end in a table, and whatever happens, everything is cleared away.
  */
 public final class Performance {
-
-  /** Where somebody says which log is wanted. */
-  private static final String LOG = "DFRA_LOG";
 
   private Performance() {}
 
@@ -72,7 +70,7 @@ public final class Performance {
 
   /** Leaves the log to errors, unless somebody wants more: a demonstration tells itself. */
   private static void hush() {
-    if (System.getenv(LOG) == null) {
+    if (System.getenv(LogbackSetup.LEVEL) == null) {
       LogLevels.service().set("org.dfra", LogLevel.ERROR);
       LogLevels.service().set("dfra", LogLevel.ERROR); // modules, where they run in this process
     }

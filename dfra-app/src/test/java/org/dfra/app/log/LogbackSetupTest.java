@@ -1,0 +1,113 @@
+package org.dfra.app.log;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.spi.Configurator.ExecutionStatus;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.Appender;
+import ch.qos.logback.core.ConsoleAppender;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dfra.river.bootstrap.JvmCommand;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.slf4j.LoggerFactory;
+import org.slf4j.bridge.SLF4JBridgeHandler;
+
+class LogbackSetupTest {
+
+  @TempDir Path folder;
+
+  /** A process that logs. */
+  static final class Talker {
+    public static void main(String[] args) {
+      SLF4JBridgeHandler.removeHandlersForRootLogger();
+      SLF4JBridgeHandler.install();
+      LoggerFactory.getLogger("org.dfra.app.log.Talker").info("by SLF4J");
+      LoggerFactory.getLogger("org.dfra.app.log.Talker").debug("in detail");
+      java.util.logging.Logger.getLogger("net.jini.Talker").fine("by java.util.logging");
+    }
+  }
+
+  private String said(Map<String, String> environment, List<String> options, Path... before)
+      throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
+    command.addAll(JvmCommand.options());
+    for (Path each : before) {
+      command.set(command.size() - 1, each + ":" + command.get(command.size() - 1));
+    }
+    command.addAll(options);
+    command.add(Talker.class.getName());
+    Path out = folder.resolve("out");
+    ProcessBuilder process =
+        new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(out.toFile());
+    process.environment().remove(LogbackSetup.LEVEL);
+    process.environment().putAll(environment);
+    assertThat(process.start().waitFor()).isZero();
+    return Files.readString(out, StandardCharsets.UTF_8);
+  }
+
+  @Test
+  void aProcessLogsToItsStandardOutput() throws Exception {
+    assertThat(said(Map.of(), List.of()))
+        .matches(
+            "\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{3}(Z|[+-]\\d\\d:\\d\\d)"
+                + " INFO  \\[main\\] org\\.dfra\\.app\\.log\\.Talker: by SLF4J\\R");
+  }
+
+  @Test
+  void theLevelComesFromTheEnvironmentAndReachesJavaUtilLogging() throws Exception {
+    assertThat(said(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of()))
+        .containsSubsequence("by SLF4J", "in detail", "by java.util.logging");
+    assertThat(said(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of("-DDFRA_LOG=WARN")))
+        .as("the property counts first")
+        .isEmpty();
+  }
+
+  @Test
+  void saysWhichLevelIsNone() throws Exception {
+    assertThat(said(Map.of(LogbackSetup.LEVEL, "loud"), List.of()))
+        .startsWith("dfra: DFRA_LOG=loud is no level of the log; INFO is taken: set ERROR,")
+        .contains("by SLF4J")
+        .doesNotContain("in detail");
+  }
+
+  @Test
+  void whoHasAConfigurationOfItsOwnGetsThat() throws Exception {
+    String xml =
+        "<configuration><appender name=\"a\" class=\"ch.qos.logback.core.ConsoleAppender\">"
+            + "<encoder><pattern>mine: %msg%n</pattern></encoder></appender>"
+            + "<root level=\"INFO\"><appender-ref ref=\"a\"/></root></configuration>";
+    Path named = Files.writeString(folder.resolve("named.xml"), xml);
+    Path path = Files.createDirectory(folder.resolve("classes"));
+    assertThat(said(Map.of(), List.of("-Dlogback.configurationFile=" + named)))
+        .isEqualTo("mine: by SLF4J\n");
+    Files.writeString(path.resolve("logback.xml"), xml);
+    assertThat(said(Map.of(), List.of(), path)).isEqualTo("mine: by SLF4J\n");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"ERROR, ERROR", "warn, WARN", "' TRACE ', TRACE", "OFF, OFF"})
+  void readsALevel(String given, String level) {
+    assertThat(LogbackSetup.level(Optional.of(given))).isEqualTo(Level.toLevel(level));
+  }
+
+  @Test
+  void isWhatThisProcessIsSetUpBy() {
+    LoggerContext context = (LoggerContext) LoggerFactory.getILoggerFactory();
+    Appender<ILoggingEvent> appender = context.getLogger("ROOT").getAppender("out");
+    assertThat(appender).isInstanceOf(ConsoleAppender.class);
+    assertThat(new LogbackSetup().configure(new LoggerContext()))
+        .isEqualTo(ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY);
+  }
+}
