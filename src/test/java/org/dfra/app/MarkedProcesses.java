@@ -87,7 +87,7 @@ final class MarkedProcesses implements AutoCloseable {
   static Outcome here(String... arguments) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
-    CommandLine line = Main.commandLine();
+    CommandLine line = Main.commandLine(arguments);
     line.setOut(new PrintWriter(out, true));
     line.setErr(new PrintWriter(err, true));
     return new Outcome(line.execute(arguments), out.toString(), err.toString());

@@ -1,6 +1,9 @@
 package org.dfra.app;
 
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Set;
 import org.dfra.app.bench.BenchCommand;
 import org.dfra.app.completion.CompletionCommand;
 import org.dfra.app.demo.DemoCommand;
@@ -63,18 +66,18 @@ public final class Main {
 
   static final String VERSION = "dfra 0.1.0";
 
-  private static final String STOP = "stop";
+  /** These ask the command line about all its verbs. */
+  private static final Set<Class<?>> CURIOUS = Set.of(CompletionCommand.class, HelpCommand.class);
 
   private Main() {}
 
-  /** The command line of one who is in a hurry: to read all verbs takes a fifth of a second. */
+  /** The command line of one who has named a verb: to read all takes a fifth of a second. */
   @Command(
       name = "dfra",
       version = VERSION,
       mixinStandardHelpOptions = true,
-      scope = ScopeType.INHERIT,
-      subcommands = StopCommand.class)
-  private static final class Urgent {}
+      scope = ScopeType.INHERIT)
+  private static final class OneVerb {}
 
   /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
   public static void main(String[] args) {
@@ -94,8 +97,7 @@ public final class Main {
       System.err.println("dfra: " + e.getMessage());
       System.exit(1);
     }
-    boolean isUrgent = args.length > 0 && args[0].equals(STOP);
-    CommandLine line = isUrgent ? prepared(new CommandLine(new Urgent())) : commandLine();
+    CommandLine line = commandLine(args);
     line.setOut(Called.renaming(line.getOut()));
     line.setErr(Called.renaming(line.getErr()));
     System.exit(line.execute(args));
@@ -108,6 +110,27 @@ public final class Main {
         .usageMessage()
         .footer(ScriptVerbs.help()); // not for the verbs, which inherit
     return line;
+  }
+
+  /**
+   * The command line for what was typed: with all verbs only where more than one is asked about.
+   */
+  static CommandLine commandLine(String[] args) {
+    Optional<Class<?>> verb = args.length == 0 ? Optional.empty() : verb(args[0]);
+    if (verb.isEmpty()) {
+      return commandLine();
+    }
+    CommandLine line = new CommandLine(new OneVerb());
+    line.addSubcommand(verb.get());
+    return prepared(line);
+  }
+
+  private static Optional<Class<?>> verb(String name) {
+    Class<?>[] all = Main.class.getAnnotation(Command.class).subcommands();
+    return Arrays.stream(all)
+        .filter(each -> !CURIOUS.contains(each))
+        .filter(each -> each.getAnnotation(Command.class).name().equals(name))
+        .findFirst();
   }
 
   private static CommandLine prepared(CommandLine line) {
