@@ -20,6 +20,14 @@ public interface Recruiting extends Module {
   @Idempotent
   void release() throws RemoteException;
 
+  /**
+   * Has a robot that is {@linkplain RecruitmentStatus#held held} answer calls for help again, for
+   * somebody who knows that it may move. Nothing moves by this, and what is paused stays paused. It
+   * does not end an emergency stop: a robot that is stopped stays held.
+   */
+  @Idempotent
+  void resume() throws RemoteException;
+
   /** What it is at. */
   @Idempotent
   RecruitmentStatus status() throws RemoteException;

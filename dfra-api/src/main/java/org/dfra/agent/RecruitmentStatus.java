@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * @param helped the robot that it helps, or has offered to; null where there is none
  * @param urge how much it feels that it should help, 0 to 1; at 1 it does
  * @param doing what changed last, for people, as a clause
+ * @param held why its robot answers no call, since somebody stopped it and nobody let it go on, as
+ *     a clause; null where it is not held
  */
 public record RecruitmentStatus(
     Instant measured,
@@ -22,8 +24,21 @@ public record RecruitmentStatus(
     ResponderPhase responder,
     @Nullable String helped,
     double urge,
-    String doing)
+    String doing,
+    @Nullable String held)
     implements Reading {
+
+  /** Of a robot that nobody holds. */
+  public RecruitmentStatus(
+      Instant measured,
+      RequesterPhase requester,
+      @Nullable String helper,
+      ResponderPhase responder,
+      @Nullable String helped,
+      double urge,
+      String doing) {
+    this(measured, requester, helper, responder, helped, urge, doing, null);
+  }
 
   public RecruitmentStatus {
     if (!(urge >= 0 && urge <= 1)) {

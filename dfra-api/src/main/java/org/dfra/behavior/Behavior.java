@@ -74,4 +74,12 @@ public interface Behavior<G extends Goal> extends Schema {
    */
   @Idempotent
   void cancel(UUID goal) throws RemoteException;
+
+  /**
+   * The same for a program that acts without a person, such as the behaviour that began the goal:
+   * the goal does not become {@linkplain BehaviorStatus#heldSince held} by it, and stays held where
+   * somebody has stopped it before.
+   */
+  @Idempotent
+  void cancelUnattended(UUID goal) throws RemoteException;
 }

@@ -15,9 +15,17 @@ import org.jspecify.annotations.Nullable;
  * @param done share of the goal that is dealt with, 0 to 1; never falls during a pursuit
  * @param missed how many parts of that, such as waypoints, were left out, since they could not be
  *     reached
+ * @param heldSince when a person, a parking brake or an emergency stop stopped it, by the robot's
+ *     clock, UTC; no program resumes it. Null where none of them has, and from the next goal on
  */
 public record BehaviorStatus(
-    Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed)
+    Instant measured,
+    @Nullable UUID goal,
+    Phase phase,
+    String doing,
+    double done,
+    int missed,
+    @Nullable Instant heldSince)
     implements Reading {
 
   /**
@@ -31,7 +39,9 @@ public record BehaviorStatus(
    *                    PAUSED --cancel--&gt; CANCELLED  (from RUNNING likewise)
    * </pre>
    *
-   * <p>From each phase on the right the next goal leads to RUNNING again.
+   * <p>From each phase on the right the next goal leads to RUNNING again. A goal that was RUNNING
+   * when the behaviour's process died is IDLE in the next process: nobody pursues it, and nobody
+   * has stopped it. Whoever pauses or cancels it then finds it CANCELLED.
    */
   public enum Phase {
     IDLE,
@@ -45,6 +55,12 @@ public record BehaviorStatus(
     public boolean isUnderWay() {
       return this == RUNNING || this == PAUSED;
     }
+  }
+
+  /** Nothing has stopped it but its own end, or a program. */
+  public BehaviorStatus(
+      Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed) {
+    this(measured, goal, phase, doing, done, missed, null);
   }
 
   public BehaviorStatus {

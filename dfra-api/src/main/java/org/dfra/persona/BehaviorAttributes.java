@@ -1,5 +1,8 @@
 package org.dfra.persona;
 
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
 /**
  * What a behaviour is for, and whether it is at work.
  *
@@ -7,9 +10,17 @@ package org.dfra.persona;
  * @param script whether it is made of other behaviours
  * @param phase what it is at, e.g. {@code RUNNING}
  * @param rate how often it looks at its percepts, hertz, above 0
+ * @param heldSince when a person, a parking brake or an emergency stop stopped its goal, by the
+ *     robot's clock, UTC; null where none of them has
  */
-public record BehaviorAttributes(String goal, boolean script, String phase, double rate)
+public record BehaviorAttributes(
+    String goal, boolean script, String phase, double rate, @Nullable Instant heldSince)
     implements Attributes {
+
+  /** Of one whose goal nobody has stopped. */
+  public BehaviorAttributes(String goal, boolean script, String phase, double rate) {
+    this(goal, script, phase, rate, null);
+  }
 
   public BehaviorAttributes {
     Checks.text("goal", goal);

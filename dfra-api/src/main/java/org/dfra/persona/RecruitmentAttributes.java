@@ -1,6 +1,7 @@
 package org.dfra.persona;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * As what a robot may be asked for help.
@@ -11,10 +12,23 @@ import java.util.List;
  * @param replaceAfter a helper that is late by this is replaced by another, seconds, above 0
  * @param margin so much earlier than that it turns back by itself where it is the helper, seconds,
  *     above 0; all of a team must have the same two
+ * @param held why it answers no call, since somebody stopped it, as a clause; null where it is not
+ *     held
  */
 public record RecruitmentAttributes(
-    List<String> percepts, double speed, String strategy, double replaceAfter, double margin)
+    List<String> percepts,
+    double speed,
+    String strategy,
+    double replaceAfter,
+    double margin,
+    @Nullable String held)
     implements Attributes {
+
+  /** Of a robot that nobody holds. */
+  public RecruitmentAttributes(
+      List<String> percepts, double speed, String strategy, double replaceAfter, double margin) {
+    this(percepts, speed, strategy, replaceAfter, margin, null);
+  }
 
   public RecruitmentAttributes {
     percepts = Checks.sorted(percepts);

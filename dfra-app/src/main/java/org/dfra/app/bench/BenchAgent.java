@@ -73,6 +73,11 @@ public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, De
   }
 
   @Override
+  public void resume() {
+    // nobody holds it
+  }
+
+  @Override
   public void release() {
     // it recruits nobody
   }

@@ -1,6 +1,7 @@
 package org.dfra.app.terminal;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
@@ -10,11 +11,17 @@ public final class Words {
   /** Where a line may end: not between a number and its unit. */
   public static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m|°)\\b|%)");
 
+  /** A path of a file, perhaps in quotation marks. */
+  private static final Pattern PATH = Pattern.compile("^[\"'(]?(?:\\.{0,2}/|~/)");
+
+  /** After these a word may be broken that is longer than a line. */
+  private static final String MARKS = "/\\[](){},;:=@&|.-_$";
+
   private Words() {}
 
   /** Columns that a text takes. */
-  public static int width(String text) {
-    return text.codePointCount(0, text.length());
+  public static int width(CharSequence text) {
+    return Character.codePointCount(text, 0, text.length());
   }
 
   /** A text with blanks behind it, so many columns wide or wider. */
@@ -43,6 +50,55 @@ public final class Words {
     }
     lines.add(line.toString());
     return lines;
+  }
+
+  /**
+   * A sentence broken at blanks, of which none of its lines is wider: words that are longer, such
+   * as the endpoints that a failed call tells of, are broken too. A path of a file is not, so that
+   * it can be copied.
+   *
+   * @param first columns of the first line
+   * @param columns of all others, 1 or more
+   */
+  public static List<String> sentence(String text, int first, int columns) {
+    List<String> lines = new ArrayList<>();
+    StringBuilder line = new StringBuilder();
+    for (String word : BREAK.split(text.strip().replaceAll("\\s+", " "), -1)) {
+      for (String piece : pieces(word, columns)) {
+        boolean isRest = !piece.equals(word) && !word.startsWith(piece);
+        int room = lines.isEmpty() ? first : columns;
+        int needed = line.isEmpty() ? width(piece) : width(line) + 1 + width(piece);
+        if (isRest || (needed > room && !line.isEmpty())) {
+          lines.add(line.toString());
+          line.setLength(0);
+        }
+        line.append(line.isEmpty() ? "" : " ").append(piece);
+      }
+    }
+    lines.add(line.toString());
+    return lines;
+  }
+
+  /** Ends after a mark where there is one in its second half. */
+  private static List<String> pieces(String word, int columns) {
+    if (PATH.matcher(word).find()) {
+      return List.of(word);
+    }
+    List<String> pieces = new ArrayList<>();
+    int[] rest = word.codePoints().toArray();
+    while (rest.length > columns) {
+      int end = columns;
+      for (int at = columns; at > columns / 2; at--) {
+        if (MARKS.indexOf(rest[at - 1]) >= 0) {
+          end = at;
+          break;
+        }
+      }
+      pieces.add(new String(rest, 0, end));
+      rest = Arrays.copyOfRange(rest, end, rest.length);
+    }
+    pieces.add(new String(rest, 0, rest.length));
+    return pieces;
   }
 
   /** Columns of the longest word. */

@@ -1,5 +1,6 @@
 package org.dfra.core.behavior;
 
+import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -68,8 +69,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   /** Its lock is taken after {@link #turning}. */
   private final StatusLine said;
 
-  /** Guarded by {@link #said}; a program has paused it, and no person has since. */
-  private boolean goesOnUnattended;
+  /** Used under the lock of {@link #said}. */
+  private final GoalMemory memory;
 
   private volatile boolean isOver;
 
@@ -94,7 +95,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     this.errands = new Errands("dfra-errands " + context.path(), context.robotTime());
     this.interlock =
         new DriveInterlock(context, Needed.of(context, DriveEffector.class, "drive"), log);
-    this.said = new StatusLine(clock(), this::tell, this::changed);
+    this.memory = new GoalMemory(context.state());
+    this.said = new StatusLine(clock(), this::say, this::changed);
     declared()
         .show(
             "lateness_p99",
@@ -162,7 +164,10 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   @Override
   protected final List<? extends Attributes> furtherAttributes() {
     List<Attributes> all = new ArrayList<>();
-    all.add(new BehaviorAttributes(goalType, this instanceof Script, said.phase().name(), rate));
+    BehaviorStatus now = said.now();
+    all.add(
+        new BehaviorAttributes(
+            goalType, this instanceof Script, now.phase().name(), rate, now.heldSince()));
     all.addAll(behaviorTraits());
     return all;
   }
@@ -175,7 +180,24 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   @Override
   protected void onStart() {
     super.onStart();
+    try {
+      memory.recall(clock()).ifPresent(said::restore);
+    } catch (IOException e) {
+      log.warn("{}: it does not know what became of its last goal: {}", path(), e.toString());
+      survived(e);
+    }
     become(Readiness.READY);
+  }
+
+  /** Written down before it is told: the robot stands by then, or has not begun to move yet. */
+  private void say(BehaviorStatus fresh) {
+    try {
+      memory.keep(fresh);
+    } catch (IOException e) {
+      log.warn("{}: the next process would not know of this goal: {}", path(), e.toString());
+      survived(e);
+    }
+    tell(fresh);
   }
 
   @Override
@@ -266,10 +288,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   private UUID takeUp(Pursuit taken, Phase phase, String doing, double done, int missed) {
     UUID id = UUID.randomUUID();
-    synchronized (said) {
-      goesOnUnattended = false;
-      said.begin(id, phase, doing, done, missed);
-    }
+    said.begin(id, phase, doing, done, missed);
     pursuit = taken;
     isAtRest = true;
     if (phase == Phase.RUNNING) {
@@ -313,6 +332,11 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   @Override
+  public final void cancelUnattended(UUID goal) {
+    stop(Phase.CANCELLED, "it was told to give up by a program", goal, false);
+  }
+
+  @Override
   public final void resume() {
     if (!isOver && said.phase() == Phase.PAUSED) {
       try {
@@ -332,9 +356,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   private void resume(boolean isAttended) {
     synchronized (said) { // who pauses it again is to find the loop that he stops
       if (!isOver
-          && (isAttended || goesOnUnattended)
-          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on")) {
-        goesOnUnattended = false; // whatever pauses it next
+          && (isAttended || said.now().heldSince() == null)
+          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
         loop.start();
       }
     }
@@ -344,7 +367,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * Somebody wants it to stop: rests and says so; says so at once where a turn is held up.
    *
    * @param only the goal that is meant; null for whichever is being pursued
-   * @param isAttended false where a program may have it go on after a pause
+   * @param isAttended false where a program stops it, so that it is not held
    */
   private void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
     Set<Phase> from =
@@ -355,20 +378,20 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     try {
       synchronized (said) { // no other goal is taken up between the question and the stop
         BehaviorStatus now = said.now();
-        if (wanted == Phase.PAUSED && isAttended) {
-          goesOnUnattended = false; // also where it is paused already
+        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
+          return;
         }
-        if (!from.contains(now.phase()) || !(only == null || only.equals(now.goal()))) {
+        if (!from.contains(now.phase())) {
           return;
         }
         loop.stop();
         if (!isIdle) {
-          settle(from, wanted, why, isAttended);
+          boolean unused = said.move(from, wanted, why, isAttended);
         }
       }
       if (isIdle) {
         rest();
-        settle(from, wanted, why, isAttended);
+        boolean unused = said.move(from, wanted, why, isAttended);
       }
     } finally {
       if (isIdle) {
@@ -377,13 +400,19 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     }
   }
 
-  /** Who pauses it is known together with the pause. */
-  private void settle(Set<Phase> from, Phase wanted, String why, boolean isAttended) {
-    synchronized (said) {
-      if (said.move(from, wanted, why)) {
-        goesOnUnattended = wanted == Phase.PAUSED && !isAttended;
-      }
+  /**
+   * Somebody pauses what pauses already, or stops a goal that the process before this one pursued:
+   * nothing moves, and nothing is to go on by itself from now on.
+   */
+  private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
+    if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
+      return said.move(
+          EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
     }
+    return now.phase() == Phase.PAUSED
+        && wanted == Phase.PAUSED
+        && isAttended
+        && said.move(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
   }
 
   /** Holds the lock of turns. */
@@ -435,6 +464,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
       } else {
         await(e);
       }
+    } catch (DelegateHeldException e) {
+      end(Phase.PAUSED, e.getMessage() + "; when it may move, resume the goal");
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
         await(e);

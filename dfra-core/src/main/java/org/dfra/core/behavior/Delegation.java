@@ -1,6 +1,7 @@
 package org.dfra.core.behavior;
 
 import java.rmi.RemoteException;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import org.dfra.behavior.Behavior;
@@ -47,6 +48,18 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     }
   }
 
+  /** Why what was begun here is not pursued any more, though nobody here has ended it. */
+  public enum Loss {
+    /** It is not lost, as far as is known. */
+    NONE,
+    /** The process that pursued it has died, and nobody has stopped it since. */
+    DIED,
+    /** The other was given another goal since. */
+    REPLACED,
+    /** The other knows of no goal, so nobody can tell whether somebody has stopped it. */
+    FORGOTTEN
+  }
+
   private final String path;
   private final Needed<B> needed;
   private final Errands errands;
@@ -54,6 +67,11 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
   private @Nullable B worker; // guarded by this
   private @Nullable UUID goal; // guarded by this
   private @Nullable Loose<B> loose; // guarded by this
+  private Loss loss = Loss.NONE; // guarded by this
+
+  /** Was ended here while the other did not answer; guarded by this. */
+  private @Nullable UUID unresolved;
+
   private boolean isTold; // guarded by this; that something is loose
 
   /**
@@ -73,12 +91,16 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
    *
    * @throws org.dfra.behavior.GoalRefusedException if the other does not take it up, or is {@link
    *     org.dfra.behavior.GoalRefusedException#isBusy busy}
+   * @throws DelegateHeldException if somebody stopped what was begun here before, or may have,
+   *     while the other could not be asked; once
    * @throws RemoteException if the other does not answer; it may have taken it up nevertheless, and
    *     {@link #end} has it give that up
    */
   public synchronized void begin(G wanted) throws RemoteException {
     B chosen = needed.now();
-    @Nullable UUID before = chosen.status().goal();
+    BehaviorStatus found = chosen.status();
+    @Nullable UUID before = found.goal();
+    requireNotHeld(found);
     try {
       goal = chosen.pursueUnattended(wanted);
     } catch (RemoteException e) {
@@ -87,6 +109,25 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     }
     worker = chosen;
     loose = null;
+    loss = Loss.NONE;
+  }
+
+  private void requireNotHeld(BehaviorStatus found) {
+    @Nullable Loose<B> lost = loose;
+    @Nullable UUID left = unresolved;
+    unresolved = null;
+    boolean isOurs =
+        left != null
+            ? left.equals(found.goal())
+            : lost != null && lost.goal() == null && !Objects.equals(found.goal(), lost.before());
+    boolean isHeld = isOurs && found.heldSince() != null;
+    if (isHeld || (left != null && found.goal() == null)) {
+      throw new DelegateHeldException(
+          path
+              + (isHeld
+                  ? ": what it uses was stopped while it did not answer: " + found.doing()
+                  : ": what it uses forgot its goal, so nobody knows whether somebody stopped it"));
+    }
   }
 
   /**
@@ -113,7 +154,8 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
   private boolean adopt(UUID begun, boolean isEndedWanted) throws RemoteException {
     B chosen = needed.now();
     BehaviorStatus status = chosen.status();
-    if (!begun.equals(status.goal()) || !(isEndedWanted || status.phase().isUnderWay())) {
+    loss = loss(begun, status);
+    if (loss != Loss.NONE || !(isEndedWanted || status.phase().isUnderWay())) {
       return false;
     }
     worker = chosen;
@@ -129,7 +171,7 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     errands.now(
         () -> {
           try {
-            needed.now().cancel(begun);
+            needed.now().cancelUnattended(begun);
           } catch (RemoteException | NotReadyException e) {
             log.debug("{}: {} cannot be given up yet: {}", path, begun, e.toString());
             errands.later(RETRY_NANOS, () -> abandon(begun));
@@ -150,8 +192,7 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
   /**
    * How far the other is.
    *
-   * @return nothing where it has not begun, has ended here, or was lost: the other died, or
-   *     somebody else uses it
+   * @return nothing where it has not begun, has ended here, or was lost: {@link #loss} says how
    */
   public synchronized Optional<BehaviorStatus> status() throws RemoteException {
     @Nullable B by = worker;
@@ -159,12 +200,43 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     if (by == null || wanted == null) {
       return Optional.empty();
     }
-    BehaviorStatus status = by.status();
-    if (!wanted.equals(status.goal())) {
+    BehaviorStatus status = status(by);
+    loss = loss(wanted, status);
+    if (loss != Loss.NONE) {
       forget();
       return Optional.empty();
     }
     return Optional.of(status);
+  }
+
+  /** Of the next process of the other, where its proxy does not find that by itself. */
+  private BehaviorStatus status(B by) throws RemoteException {
+    try {
+      return by.status();
+    } catch (NotReadyException e) {
+      B next = needed.now();
+      if (next.equals(by)) {
+        throw e;
+      }
+      BehaviorStatus status = next.status();
+      worker = next;
+      return status;
+    }
+  }
+
+  private static Loss loss(UUID wanted, BehaviorStatus status) {
+    if (status.goal() == null) {
+      return Loss.FORGOTTEN;
+    }
+    if (!wanted.equals(status.goal())) {
+      return Loss.REPLACED;
+    }
+    return status.phase() == BehaviorStatus.Phase.IDLE ? Loss.DIED : Loss.NONE;
+  }
+
+  /** Why {@link #status}, or the adopting, found last what was begun here not pursued any more. */
+  public synchronized Loss loss() {
+    return loss;
   }
 
   /** The other has ended it. */
@@ -191,14 +263,21 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
       return;
     }
     try {
-      @Nullable UUID unwanted = left.unwanted(left.worker().status());
+      BehaviorStatus found = left.worker().status();
+      @Nullable UUID unwanted = left.unwanted(found);
       if (unwanted != null) {
-        left.worker().cancel(unwanted); // by name: somebody else may have it pursue another by now
+        left.worker()
+            .cancelUnattended(unwanted); // by name: somebody else may have it pursue another by now
       }
       loose = null;
+      if (found.heldSince() == null) {
+        unresolved = null;
+      }
     } catch (NotReadyException e) { // it has ended, and all that it commanded with it
       loose = null;
+      unresolved = left.goal();
     } catch (RemoteException e) {
+      unresolved = left.goal();
       if (!isTold) {
         isTold = true;
         log.warn("{}: {} cannot be told to stop yet: {}", path, left.worker(), e.toString());

@@ -1,5 +1,6 @@
 package org.dfra.core.behavior;
 
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
 import java.util.Set;
@@ -50,21 +51,31 @@ final class StatusLine {
     return status.phase();
   }
 
-  /** There is a new goal, whatever was before. */
+  /** What an earlier process has left; nobody is told. */
+  synchronized void restore(BehaviorStatus left) {
+    status = left;
+  }
+
+  /** There is a new goal, whatever was before. One that begins with a pause waits for a person. */
   synchronized void begin(UUID goal, Phase phase, String doing, double done, int missed) {
-    say(goal, phase, doing, done, missed);
+    say(goal, phase, doing, done, missed, phase == Phase.PAUSED ? clock.instant() : null);
   }
 
   /**
    * The same goal, in another phase.
    *
+   * @param isHeld whether it does not go on from there without a person; one that is given up by a
+   *     program stays held where it was
    * @return false where it is in none of the phases {@code from}: nothing is changed
    */
-  synchronized boolean move(Set<Phase> from, Phase to, String doing) {
-    if (!from.contains(status.phase())) {
+  synchronized boolean move(Set<Phase> from, Phase to, String doing, boolean isHeld) {
+    BehaviorStatus last = status;
+    if (!from.contains(last.phase())) {
       return false;
     }
-    say(status.goal(), to, doing, status.done(), status.missed());
+    @Nullable Instant earlier = to == Phase.CANCELLED ? last.heldSince() : null;
+    @Nullable Instant held = isHeld ? clock.instant() : earlier;
+    say(last.goal(), to, doing, last.done(), last.missed(), held);
     return true;
   }
 
@@ -73,24 +84,37 @@ final class StatusLine {
     end(Phase.RUNNING, doing, done, missed);
   }
 
-  /** It runs no more, for this reason; nothing where somebody has stopped it meanwhile. */
+  /**
+   * It runs no more, for this reason; nothing where somebody has stopped it meanwhile. What pauses
+   * or cancels a goal from within is an emergency stop, a brake, or somebody who stopped a part of
+   * it: it is held.
+   */
   synchronized void end(Phase phase, String why, double done, int missed) {
     if (status.phase() == Phase.RUNNING) {
-      say(status.goal(), phase, why, done, missed);
+      boolean isHeld = phase == Phase.PAUSED || phase == Phase.CANCELLED;
+      say(status.goal(), phase, why, done, missed, isHeld ? clock.instant() : null);
     }
   }
 
-  private void say(@Nullable UUID goal, Phase phase, String doing, double done, int missed) {
+  private void say(
+      @Nullable UUID goal,
+      Phase phase,
+      String doing,
+      double done,
+      int missed,
+      @Nullable Instant heldSince) {
     BehaviorStatus last = status;
     boolean same =
         Objects.equals(goal, last.goal())
             && phase == last.phase()
             && doing.equals(last.doing())
+            && Objects.equals(heldSince, last.heldSince())
             && missed == last.missed();
     if (same && done - last.done() < NOTABLE) {
       return;
     }
-    BehaviorStatus fresh = new BehaviorStatus(clock.instant(), goal, phase, doing, done, missed);
+    BehaviorStatus fresh =
+        new BehaviorStatus(clock.instant(), goal, phase, doing, done, missed, heldSince);
     status = fresh;
     if (phase != last.phase()) {
       onPhase.accept(last.phase(), fresh);

@@ -54,6 +54,7 @@ class DelegationTest {
 
   private volatile @Nullable UUID goal;
   private volatile Phase phase = Phase.IDLE;
+  private volatile @Nullable Instant heldSince;
   private volatile boolean losesAnswers;
   private volatile boolean isCutOff;
 
@@ -73,17 +74,19 @@ class DelegationTest {
         switch (method) {
           case "pursueUnattended" -> {
             phase = Phase.RUNNING;
+            heldSince = null;
             goal = UUID.randomUUID();
             yield goal;
           }
-          case "cancel" -> {
+          case "cancel", "cancelUnattended" -> {
             if (args == null || args[0].equals(goal)) {
               phase = Phase.CANCELLED;
             }
             yield null;
           }
           case "status" -> {
-            BehaviorStatus now = new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0);
+            BehaviorStatus now =
+                new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0, heldSince);
             @Nullable UUID next = othersNext;
             if (next != null) {
               goal = next;
@@ -228,5 +231,65 @@ class DelegationTest {
     assertThat(phase).isEqualTo(Phase.RUNNING);
     isCutOff = false;
     await().atMost(PATIENCE).until(() -> phase == Phase.CANCELLED);
+  }
+
+  @Test
+  void whatSomebodyStoppedWhileItDidNotAnswerIsNotBegunAnewByItself() throws Exception {
+    delegation.begin(new Wish());
+    isCutOff = true;
+    delegation.end(); // as the behaviour does that comes to rest
+    stopped();
+    isCutOff = false;
+    assertThatThrownBy(() -> delegation.begin(new Wish()))
+        .isInstanceOf(DelegateHeldException.class)
+        .hasMessageContaining("was stopped while it did not answer");
+    assertThat(phase).isEqualTo(Phase.CANCELLED);
+    delegation.begin(new Wish()); // a person has the behaviour go on
+    assertThat(phase).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void whatSomebodyStoppedWhoseAnswerWasLostIsNotBegunAnewByItself() {
+    losesAnswers = true;
+    assertThatThrownBy(() -> delegation.begin(new Wish())).isInstanceOf(RemoteException.class);
+    stopped();
+    losesAnswers = false;
+    assertThatThrownBy(() -> delegation.begin(new Wish()))
+        .isInstanceOf(DelegateHeldException.class);
+  }
+
+  @Test
+  void whatNobodyKnowsAnyMoreIsNotBegunAnewByItself() throws Exception {
+    delegation.begin(new Wish());
+    isCutOff = true;
+    delegation.end();
+    goal = null;
+    phase = Phase.IDLE;
+    isCutOff = false;
+    assertThatThrownBy(() -> delegation.begin(new Wish()))
+        .isInstanceOf(DelegateHeldException.class)
+        .hasMessageContaining("forgot its goal");
+  }
+
+  private void stopped() {
+    phase = Phase.CANCELLED;
+    heldSince = Instant.now();
+  }
+
+  @Test
+  void saysHowWhatItBeganWasLost() throws Exception {
+    delegation.begin(new Wish());
+    assertThat(delegation.loss()).isEqualTo(Delegation.Loss.NONE);
+    phase = Phase.IDLE; // as its next process says
+    assertThat(delegation.status()).isEmpty();
+    assertThat(delegation.loss()).isEqualTo(Delegation.Loss.DIED);
+    delegation.begin(new Wish());
+    goal = UUID.randomUUID();
+    assertThat(delegation.status()).isEmpty();
+    assertThat(delegation.loss()).isEqualTo(Delegation.Loss.REPLACED);
+    delegation.begin(new Wish());
+    goal = null;
+    assertThat(delegation.status()).isEmpty();
+    assertThat(delegation.loss()).isEqualTo(Delegation.Loss.FORGOTTEN);
   }
 }

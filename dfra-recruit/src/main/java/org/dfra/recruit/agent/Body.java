@@ -30,6 +30,14 @@ public interface Body {
    */
   boolean isFree();
 
+  /** Why it is held, since somebody stopped it, as a clause; nothing where it is not held. */
+  default Optional<String> hold() {
+    return Optional.empty();
+  }
+
+  /** A person lets it go on. */
+  default void endHold() {}
+
   /** Whether it has work of its own, which it would leave. */
   boolean isBusy();
 

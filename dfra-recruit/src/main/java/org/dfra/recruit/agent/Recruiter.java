@@ -2,6 +2,7 @@ package org.dfra.recruit.agent;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Objects;
 import java.util.Optional;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpRefusedException;
@@ -154,6 +155,11 @@ public final class Recruiter implements AutoCloseable {
         });
   }
 
+  /** Looks at its robot, and tells where that is held, or not any more. */
+  public void look() {
+    post(() -> {});
+  }
+
   /** The lease on the helper; nothing where there is none. */
   public Optional<ModuleLease> lease() {
     return turns.give(caller::lease);
@@ -217,7 +223,8 @@ public final class Recruiter implements AutoCloseable {
     }
     if (fresh.requester() != last.requester()
         || fresh.responder() != last.responder()
-        || fresh.urge() != last.urge()) {
+        || fresh.urge() != last.urge()
+        || !Objects.equals(fresh.held(), last.held())) {
       listener.changed(fresh);
     }
   }
@@ -244,7 +251,8 @@ public final class Recruiter implements AutoCloseable {
         strategy.urge(),
         helper.state().phase() != ResponderPhase.FREE
             ? helper.doing()
-            : caller.state().phase() != RequesterPhase.IDLE ? caller.doing() : doing);
+            : caller.state().phase() != RequesterPhase.IDLE ? caller.doing() : doing,
+        ports.body().hold().orElse(null));
   }
 
   @Override

@@ -118,7 +118,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     this.body = new RobotBody(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
     this.memory = new AgentMemory(context.state());
-    this.agreement = new TeamAgreement(context, said(), log);
+    this.agreement = new TeamAgreement(context, said(null), log);
     declared()
         .show(
             "disagreements",
@@ -162,6 +162,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
             new Teller(),
             kept);
     recruiter = made;
+    body.onHold(made::look);
     become(Readiness.READY);
     made.start();
     agreement.start();
@@ -197,6 +198,13 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   }
 
   @Override
+  public void resume() {
+    Recruiter made = serving();
+    body.endHold();
+    made.look();
+  }
+
+  @Override
   public RecruitmentStatus status() {
     Recruiter made = recruiter;
     return made == null
@@ -222,16 +230,17 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
 
   @Override
   public List<Attributes> attributes() {
-    return List.of(said());
+    return List.of(said(body.hold().orElse(null)));
   }
 
-  private RecruitmentAttributes said() {
+  private RecruitmentAttributes said(@Nullable String held) {
     return new RecruitmentAttributes(
         traits.percepts(),
         traits.speed(),
         strategy.name(),
         timeOuts.replaceAfter().toMillis() / 1000.0,
-        timeOuts.margin().toMillis() / 1000.0);
+        timeOuts.margin().toMillis() / 1000.0,
+        held);
   }
 
   /** Tells listeners, and keeps what is to be kept. */

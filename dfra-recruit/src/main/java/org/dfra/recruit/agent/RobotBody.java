@@ -1,14 +1,17 @@
 package org.dfra.recruit.agent;
 
 import java.time.Duration;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.dfra.agent.HelpCall;
+import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.LegGoal;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.directory.ModuleListing;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.GeoPosition;
 import org.slf4j.Logger;
@@ -26,27 +29,69 @@ final class RobotBody implements Body, AutoCloseable {
   private final RobotTraits traits;
   private final Senses senses;
   private final Errands errands;
-  private final Trip trip; // by errands only
+  private final Hold hold;
+  private final Trip trip; // by errands only, but for what it began last
   private final LeftWork work; // by errands only
   private volatile boolean isAway; // to help, or on its way; written by errands only
+  private volatile boolean isStarted; // its modules can be found
+  private volatile boolean isEnding; // it may not be known yet how its last trip ended
+  private volatile Runnable onHold = () -> {};
+  private Optional<String> toldHold = Optional.empty(); // by errands only
   private final AtomicBoolean isClosed = new AtomicBoolean();
   private boolean isRetrying; // by errands only; to go on with its work
 
   RobotBody(ModuleContext context, RobotTraits traits, Logger log) {
     this.traits = traits;
-    this.senses = new Senses(context, log);
+    this.senses = new Senses(context, this::begunByOthers, log);
     this.errands = new Errands("dfra-body " + context.path(), context.robotTime());
     this.work = new LeftWork(context, log);
-    this.trip = new Trip(context, errands, work, log);
+    this.hold = new Hold(context, senses, log);
+    this.trip = new Trip(context, errands, work, hold, log);
+  }
+
+  /** Has this run, on the thread of the errands, whenever it is held or not any more. */
+  void onHold(Runnable listener) {
+    onHold = listener;
   }
 
   void start() {
-    errands.now(
-        () -> {
-          work.recall();
-          trip.recall();
-        });
+    hold.recall();
+    isStarted = true;
+    work.recall();
+    trip.recall();
+    isEnding = !trip.isSettled();
+    errands.now(this::watchHold);
     senses.start();
+  }
+
+  private void watchHold() {
+    if (isClosed.get()) {
+      return;
+    }
+    hold.look();
+    Optional<String> why = hold.why();
+    if (!why.equals(toldHold)) {
+      toldHold = why;
+      onHold.run();
+    }
+    errands.later(Trip.LOOK_NANOS, this::watchHold);
+  }
+
+  /** Nothing of the agent's own begins while it is held, so a person began this. */
+  private void begunByOthers(ModuleListing<?> behavior, BehaviorStatus status) {
+    if (!isAway && !Objects.equals(status.goal(), trip.last())) {
+      hold.begun(behavior.path(), status.measured());
+    }
+  }
+
+  @Override
+  public Optional<String> hold() {
+    return isStarted ? hold.why() : Optional.empty();
+  }
+
+  @Override
+  public void endHold() {
+    hold.end();
   }
 
   /**
@@ -80,14 +125,16 @@ final class RobotBody implements Body, AutoCloseable {
   }
 
   /**
-   * One that knows where it is, has charge left, is not stopped for an emergency, and is not sent
-   * anywhere by others may be asked. What drives it while it helps, or for its search, is its own.
+   * One that knows where it is, has charge left, is not held since somebody stopped it, and is not
+   * sent anywhere by others may be asked. What drives it while it helps, or for its search, is its
+   * own. As long as it is not known how its last trip ended, somebody may have stopped that.
    */
   @Override
   public boolean isFree() {
     return senses.pose() != null
         && battery() > traits.reserve()
-        && !senses.isStopped()
+        && !isEnding
+        && hold.why().isEmpty()
         && (isAway || senses.isSearching() || !senses.isDriven());
   }
 
@@ -122,6 +169,7 @@ final class RobotBody implements Body, AutoCloseable {
     errands.now(
         () -> {
           isAway = true;
+          isEnding = false;
           work.leave();
           trip.begin(new LegGoal(null, call.place(), traits.tolerance()), leaseEnd, told);
         });
@@ -133,12 +181,14 @@ final class RobotBody implements Body, AutoCloseable {
     errands.now(
         () -> {
           isAway = true;
+          isEnding = false;
           trip.end();
         });
   }
 
   @Override
   public void resume() {
+    isEnding = true;
     errands.now(
         () -> {
           isAway = false;
@@ -152,7 +202,7 @@ final class RobotBody implements Body, AutoCloseable {
    * whether somebody has stopped the trip of an earlier process, nothing goes on.
    */
   private void goOn() {
-    boolean isDone = isAway || (trip.isSettled() && work.goOn());
+    boolean isDone = isAway || (trip.isSettled() && goOnUnlessHeld());
     if (!isDone && !isRetrying) {
       isRetrying = true;
       errands.later(
@@ -162,5 +212,13 @@ final class RobotBody implements Body, AutoCloseable {
             goOn();
           });
     }
+  }
+
+  private boolean goOnUnlessHeld() {
+    isEnding = false;
+    if (hold.why().isPresent()) {
+      work.leaveToPeople();
+    }
+    return work.goOn();
   }
 }

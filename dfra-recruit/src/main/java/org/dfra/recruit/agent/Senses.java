@@ -2,9 +2,11 @@ package org.dfra.recruit.agent;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dfra.behavior.Behavior;
@@ -27,7 +29,6 @@ import org.dfra.flow.sensor.BatterySensor;
 import org.dfra.flow.sensor.BatteryState;
 import org.dfra.module.Module;
 import org.dfra.persona.BehaviorAttributes;
-import org.dfra.persona.StopAttributes;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -44,6 +45,14 @@ final class Senses implements AutoCloseable {
   private static final Duration FRESH = Duration.ofSeconds(2);
   private static final Duration BATTERY_FRESH = Duration.ofMinutes(5);
 
+  /** Is told of each goal that a behaviour begins, or goes on with. */
+  @FunctionalInterface
+  interface GoalListener {
+
+    /** It began, or went on, at that time; on a delivery thread. */
+    void begun(ModuleListing<?> behavior, BehaviorStatus status);
+  }
+
   /** What sends a robot somewhere. */
   private static final List<Class<? extends Behavior<?>>> DRIVING =
       List.of(GoToWaypoint.class, FollowWaypoints.class, ReturnHome.class);
@@ -57,7 +66,13 @@ final class Senses implements AutoCloseable {
    *
    * @param by itself, or its proxy: it is another one after most restarts
    */
-  private record Told(Module by, Phase phase) {}
+  private record Told(Module by, BehaviorStatus status) {
+
+    /** Whether the goal has begun since then, or goes on. */
+    boolean isBefore(BehaviorStatus fresh) {
+      return status.phase() != Phase.RUNNING || !Objects.equals(status.goal(), fresh.goal());
+    }
+  }
 
   private final ModuleContext context;
   private final ChainInputs inputs;
@@ -65,8 +80,11 @@ final class Senses implements AutoCloseable {
   private volatile @Nullable PoseEstimate pose;
   private volatile @Nullable BatteryState charge;
 
-  Senses(ModuleContext context, Logger log) {
+  private final GoalListener listener;
+
+  Senses(ModuleContext context, GoalListener listener, Logger log) {
     this.context = context;
+    this.listener = listener;
     this.inputs =
         new ChainInputs(
             context.path(),
@@ -96,8 +114,14 @@ final class Senses implements AutoCloseable {
         true,
         "",
         BehaviorStatus.class,
-        (source, sequence, status) ->
-            told.put(source.id(), new Told(source.module(), status.phase())));
+        (source, sequence, status) -> take(source, status));
+  }
+
+  private void take(ModuleListing<?> source, BehaviorStatus status) {
+    @Nullable Told last = told.put(source.id(), new Told(source.module(), status));
+    if (status.phase() == Phase.RUNNING && (last == null || last.isBefore(status))) {
+      listener.begun(source, status);
+    }
   }
 
   void start() {
@@ -135,13 +159,34 @@ final class Senses implements AutoCloseable {
         .anyMatch(each -> phase(each).isUnderWay());
   }
 
-  /** Whether something that moves it is stopped for an emergency. */
-  boolean isStopped() {
-    return MOVING.stream()
-        .flatMap(kind -> listed(kind).stream())
-        .anyMatch(
-            each ->
-                each.attributes(StopAttributes.class).filter(StopAttributes::latched).isPresent());
+  /** What moves it. */
+  List<ModuleListing<? extends Module>> movers() {
+    List<ModuleListing<? extends Module>> all = new ArrayList<>();
+    MOVING.forEach(kind -> all.addAll(listed(kind)));
+    return all;
+  }
+
+  /** What sends it somewhere, and its searches. */
+  List<ModuleListing<? extends Behavior<?>>> behaviors() {
+    List<ModuleListing<? extends Behavior<?>>> all = new ArrayList<>(listed(RasterSearch.class));
+    DRIVING.forEach(kind -> all.addAll(listed(kind)));
+    return all;
+  }
+
+  /** Since when somebody has the goal of a behaviour stand; null where nobody has. */
+  @Nullable Instant heldSince(ModuleListing<?> behavior) {
+    Told last = told(behavior);
+    return last != null
+        ? last.status().heldSince()
+        : behavior
+            .attributes(BehaviorAttributes.class)
+            .map(BehaviorAttributes::heldSince)
+            .orElse(null);
+  }
+
+  private @Nullable Told told(ModuleListing<?> behavior) {
+    Told last = told.get(behavior.id());
+    return last != null && last.by().equals(behavior.module()) ? last : null;
   }
 
   private <M extends Module> List<ModuleListing<M>> listed(Class<M> kind) {
@@ -149,9 +194,9 @@ final class Senses implements AutoCloseable {
   }
 
   private Phase phase(ModuleListing<?> behavior) {
-    Told last = told.get(behavior.id());
-    if (last != null && last.by().equals(behavior.module())) {
-      return last.phase();
+    Told last = told(behavior);
+    if (last != null) {
+      return last.status().phase();
     }
     String said =
         behavior.attributes(BehaviorAttributes.class).map(BehaviorAttributes::phase).orElse("");

@@ -14,6 +14,7 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
+import org.dfra.core.behavior.DelegateHeldException;
 import org.dfra.core.behavior.Delegation;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
@@ -75,8 +76,10 @@ final class Trip {
   private final Errands errands;
   private final Delegation<LegGoal, GoToWaypoint> travel;
   private final LeftWork work;
+  private final Hold hold;
   private final Logger log;
   private final Scheduler time;
+  private volatile @Nullable UUID last; // what it began last
   private @Nullable Journey journey;
   private long leaseEnd; // of the journey, nanoseconds
   private @Nullable LegGoal aim; // of the last journey
@@ -89,14 +92,17 @@ final class Trip {
   /**
    * @param work is left where it still holds what drives, and stays so where a person has stopped
    *     the trip
+   * @param hold says whether anything may begin, and learns of a trip of which nobody knows whether
+   *     somebody stopped it
    */
-  Trip(ModuleContext context, Errands errands, LeftWork work, Logger log) {
+  Trip(ModuleContext context, Errands errands, LeftWork work, Hold hold, Logger log) {
     this.path = context.path();
     this.context = context;
     this.state = context.state();
     this.errands = errands;
     this.time = context.robotTime();
     this.work = work;
+    this.hold = hold;
     this.log = log;
     this.travel =
         new Delegation<>(
@@ -134,20 +140,28 @@ final class Trip {
   /**
    * Takes over what was begun in an earlier process, also where it has ended since, so that a leg
    * that somebody has stopped is not begun anew. One that led elsewhere is ended.
+   *
+   * @return why it may not be begun anew, as a clause
    */
-  private void inherit(@Nullable GeoPosition place) throws RemoteException {
+  private Optional<String> inherit(@Nullable GeoPosition place) throws RemoteException {
     Begun last = inherited;
     if (last == null) {
-      return;
+      return Optional.empty();
     }
+    boolean isThere = place != null && last.place().equals(place.toString());
     boolean isKnown = travel.adoptWithOutcome(last.goal());
+    this.last = last.goal();
+    Optional<String> obstacle = Optional.empty();
     if (isKnown) {
       travel.status().ifPresent(this::heed);
+    } else {
+      obstacle = lost(travel.loss());
     }
     inherited = null;
-    if (isKnown && (place == null || !last.place().equals(place.toString()))) {
+    if (isKnown && !isThere) {
       travel.end();
     }
+    return isThere ? obstacle : Optional.empty();
   }
 
   /**
@@ -178,23 +192,71 @@ final class Trip {
       return; // it was told to do something else
     }
     try {
-      inherit(goal.to());
+      Optional<String> obstacle = inherit(goal.to());
+      boolean hadBegun = travel.goal().isPresent();
       Optional<BehaviorStatus> status = travel.status();
-      if (status.isEmpty() && isStoppedSince()) {
-        journey = null;
-        forget();
-        work.leaveToPeople();
-        of.failed("it was stopped for an emergency after it was asked to come");
+      if (status.isPresent() && hasEnded(status.get(), of)) {
+        return;
+      }
+      if (obstacle.isEmpty()) {
+        obstacle = hadBegun && status.isEmpty() ? lost(travel.loss()) : standing();
+      }
+      if (obstacle.isPresent()) {
+        stand(of, obstacle.get());
         return;
       } else if (status.isEmpty()) {
         begun(goal, of);
-      } else if (hasEnded(status.get(), of)) {
-        return;
       }
     } catch (RemoteException | NotReadyException e) {
       log.info("{}: it waits: {}", path, e.toString());
     }
     errands.later(LOOK_NANOS, () -> look(goal, of));
+  }
+
+  /**
+   * What was begun is not pursued any more, and not by this object's doing. It may be begun anew
+   * only where it is known that nobody stopped it.
+   *
+   * @return why it may not, as a clause
+   */
+  private Optional<String> lost(Delegation.Loss how) throws RemoteException {
+    switch (how) {
+      case REPLACED:
+        return Optional.of("what drives it was given another goal");
+      case FORGOTTEN:
+        String why = "what drives it forgot its leg, so nobody knows whether somebody stopped it";
+        hold.unknown(why);
+        work.leaveToPeople();
+        return Optional.of(why);
+      default:
+        return standing();
+    }
+  }
+
+  /**
+   * Why it has to stand, as a clause; nothing where it may go on.
+   *
+   * @throws RemoteException if one of those that know does not answer
+   */
+  private Optional<String> standing() throws RemoteException {
+    if (isStoppedSince()) {
+      return Optional.of("it was stopped for an emergency after it was asked to come");
+    }
+    return hold.ask();
+  }
+
+  /** It goes no farther, and what it left waits for a person. */
+  private void stand(Journey of, String why) {
+    journey = null;
+    travel.end();
+    forget();
+    work.leaveToPeople();
+    of.failed(why);
+  }
+
+  /** What it began last, so that others' goals can be told from its own; by any thread. */
+  @Nullable UUID last() {
+    return last;
   }
 
   /**
@@ -224,7 +286,10 @@ final class Trip {
     }
     try {
       travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
+      travel.goal().ifPresent(this::noted);
       travel.goal().ifPresent(name -> keep(new Begun(name, goal.to().toString(), asked).text()));
+    } catch (DelegateHeldException e) {
+      stand(of, String.valueOf(e.getMessage()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
         work.leave(); // again: it may not have answered, or not been found
@@ -233,6 +298,10 @@ final class Trip {
         of.failed(String.valueOf(e.getMessage()));
       }
     }
+  }
+
+  private void noted(UUID goal) {
+    last = goal;
   }
 
   /** Where it has, the agent is told. */
@@ -263,6 +332,9 @@ final class Trip {
   private void heed(BehaviorStatus status) {
     if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
       work.leaveToPeople();
+      if (status.heldSince() == null) { // a program did it, on whose behalf nobody knows
+        hold.unknown("a program stopped its trip: " + status.doing());
+      }
     }
   }
 
@@ -284,7 +356,7 @@ final class Trip {
     }
     travel.end();
     try {
-      inherit(null);
+      Optional<String> unused = inherit(null);
       if (!travel.isLoose()) {
         forget();
       }
@@ -302,9 +374,9 @@ final class Trip {
     }
   }
 
-  /** Whether it is known what became of the trip of an earlier process. */
+  /** Whether it is known what became of its trips, those of an earlier process included. */
   boolean isSettled() {
-    return inherited == null;
+    return inherited == null && !travel.isLoose();
   }
 
   /** Begins nothing any more; by any thread. */

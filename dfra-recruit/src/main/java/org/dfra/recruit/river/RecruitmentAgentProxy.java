@@ -34,6 +34,11 @@ public final class RecruitmentAgentProxy extends ModuleProxy<Recruiting>
   }
 
   @Override
+  public void resume() throws RemoteException {
+    target().resume();
+  }
+
+  @Override
   public RecruitmentStatus status() throws RemoteException {
     return target().status();
   }

@@ -33,6 +33,11 @@ public final class RecruitmentAgentServer extends ModuleServer<RecruitmentAgent>
   }
 
   @Override
+  public void resume() throws RemoteException {
+    module().resume();
+  }
+
+  @Override
   public RecruitmentStatus status() throws RemoteException {
     return module().status();
   }

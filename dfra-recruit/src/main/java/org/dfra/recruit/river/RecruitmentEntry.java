@@ -34,6 +34,9 @@ public class RecruitmentEntry extends AbstractEntry implements ServiceControlled
   /** So much earlier it turns back by itself where it is the helper, seconds. */
   public @Nullable Double margin;
 
+  /** Why it answers no call, since somebody stopped it. */
+  public @Nullable String held;
+
   /** With every field null. */
   public RecruitmentEntry() {}
 }

@@ -67,6 +67,11 @@ final class BodyModules implements AutoCloseable {
         .among(directory);
   }
 
+  /** What a module of that name kept is lost. */
+  void forget(String name) {
+    kept.remove(name);
+  }
+
   <M extends ModuleImpl> M add(M module) {
     module.start();
     show(module);

@@ -102,6 +102,11 @@ class DirectoryTransportTest {
     }
 
     @Override
+    public void resume() {
+      throw new AssertionError("nobody holds it");
+    }
+
+    @Override
     public RecruitmentStatus status() {
       return new RecruitmentStatus(
           Instant.EPOCH, RequesterPhase.IDLE, null, ResponderPhase.FREE, null, 0, "nothing");

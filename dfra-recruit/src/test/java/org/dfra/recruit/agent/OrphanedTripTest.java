@@ -132,22 +132,92 @@ class OrphanedTripTest extends BodyFixture {
     body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     LegGoal own = Objects.requireNonNull(driver.goal);
-    lose();
+    Driver second = restarted(driver);
     modules.step(1);
-    assertThat(driver.goal).as("not stopped since").isEqualTo(own);
-    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
-    lose();
+    assertThat(second.goal).as("not stopped since").isEqualTo(own);
+    assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
+    Driver third = restarted(second);
     wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null);
     modules.step(1);
-    assertThat(driver.goal).as("it is not begun anew").isNotEqualTo(own);
+    assertThat(third.goal).as("it is not begun anew").isNull();
     assertThat(told).hasSize(1);
   }
 
-  /** What drives does not know its goal any more, as after a restart. */
-  private void lose() throws RemoteException {
-    driver.cancel();
-    UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
-    driver.cancel(others);
+  /** The process that drives dies, and there is another. */
+  private Driver restarted(Driver dead) {
+    modules.end(dead);
+    return modules.add(new Driver(modules.context("go_to_waypoint")));
+  }
+
+  /** The window between the death of what drives and the next look of the agent. */
+  @Test
+  void aLegThatSomebodyStoppedAfterItsProcessDiedIsNotBegunAnew() throws RemoteException {
+    Driver last = driver;
+    for (boolean isPaused : List.of(true, false)) {
+      told.clear();
+      body.endHold();
+      body.go(CALL, Long.MAX_VALUE, journey);
+      modules.step(1);
+      last = restarted(last);
+      if (isPaused) {
+        last.pause();
+      } else {
+        last.cancel();
+      }
+      modules.step(3);
+      assertThat(last.goal).as("nothing is begun").isNull();
+      assertThat(last.status().phase()).isEqualTo(Phase.CANCELLED);
+      assertThat(told).hasSize(1);
+      body.resume();
+      modules.step(0.1);
+      assertThat(body.isFree()).as("it answers no call").isFalse();
+    }
+  }
+
+  /** It was stopped, and died before the agent looked. */
+  @Test
+  void aLegThatSomebodyStoppedBeforeItsProcessDiedIsNotBegunAnew() throws RemoteException {
+    Driver last = driver;
+    for (boolean isPaused : List.of(true, false)) {
+      told.clear();
+      body.endHold();
+      body.go(CALL, Long.MAX_VALUE, journey);
+      modules.step(1);
+      if (isPaused) {
+        last.pause();
+      } else {
+        last.cancel();
+      }
+      last = restarted(last);
+      modules.step(3);
+      assertThat(last.goal).as("nothing is begun").isNull();
+      assertThat(told).hasSize(1);
+      body.resume();
+      modules.step(0.1);
+      assertThat(body.isFree()).as("it answers no call").isFalse();
+    }
+  }
+
+  @Test
+  void aLegOfWhichNobodyKnowsWhetherItWasStoppedIsNotBegunAnew() {
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    modules.end(driver);
+    modules.forget("go_to_waypoint"); // its disk was lost
+    Driver next = modules.add(new Driver(modules.context("go_to_waypoint")));
+    modules.step(3);
+    assertThat(next.goal).as("nothing is begun").isNull();
+    assertThat(told)
+        .containsExactly(
+            "what drives it forgot its leg, so nobody knows whether somebody stopped it");
+    body.resume();
+    modules.step(1);
+    assertThat(body.hold()).isPresent();
+    body.close();
+    body = body();
+    assertThat(body.hold()).as("the next process knows it too").isPresent();
+    body.endHold();
+    assertThat(body.hold()).isEmpty();
   }
 
   /** Wheels of which only their emergency stop is asked. */

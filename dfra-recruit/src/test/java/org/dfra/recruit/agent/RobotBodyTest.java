@@ -125,10 +125,8 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itWaitsForItsWheelsWhereSomebodyElseHasTakenThem() throws RemoteException {
-    body.go(CALL, Long.MAX_VALUE, journey);
-    modules.step(1);
-    driver.cancel();
     UUID unused = driver.pursue(new LegGoal(null, at(1, 1), 1));
+    body.go(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, at(1, 1), 1));
     assertThat(told).isEmpty();
@@ -136,6 +134,19 @@ class RobotBodyTest extends BodyFixture {
     modules.step(1);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  @Test
+  void itGoesNoFartherWhereSomebodyElseTakesItsWheelsOnTheWay() throws RemoteException {
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    driver.cancel();
+    UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
+    modules.step(1);
+    assertThat(told).containsExactly("what drives it was given another goal");
+    driver.progress = Progress.reached("it is there");
+    modules.step(3);
+    assertThat(driver.status().goal()).isEqualTo(others);
   }
 
   @Test
@@ -271,7 +282,7 @@ class RobotBodyTest extends BodyFixture {
     modules.show(search);
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
-    driver.cancel(); // as a search does that pauses
+    driver.cancelUnattended(leg); // as a search does that pauses
     modules.step(1);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
     body.resume();

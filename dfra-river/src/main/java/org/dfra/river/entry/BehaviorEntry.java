@@ -1,5 +1,6 @@
 package org.dfra.river.entry;
 
+import java.time.Instant;
 import org.dfra.persona.BehaviorAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -23,6 +24,9 @@ public class BehaviorEntry extends ChainableEntry {
 
   /** How often it looks at its percepts, hertz. */
   public @Nullable Double rate;
+
+  /** When a person, a parking brake or an emergency stop stopped its goal. */
+  public @Nullable Instant heldSince;
 
   /** With every field null. */
   public BehaviorEntry() {}

@@ -141,27 +141,19 @@ public final class Narration {
   /** A heading. */
   public synchronized void heading(String title) {
     blank();
-    print((isColoured ? Colour.of(title) : title) + END);
+    for (String line : Words.sentence(title, width(), width())) {
+      print((isColoured ? Colour.of(line) : line) + END);
+    }
   }
 
   /** A sentence; the format is {@link String#format}'s. */
   public synchronized void say(String format, Object... arguments) {
-    String text = String.format(Locale.ROOT, format, arguments);
-    StringBuilder line = new StringBuilder(String.format(Locale.ROOT, "%8.3f s ", elapsed() / 1e9));
-    int column = line.length();
-    int width = width();
-    for (String word : Words.BREAK.split(text)) {
-      if (column + word.length() + 1 > width && column > INDENT.length()) {
-        line.append(END).append(INDENT);
-        column = INDENT.length();
-      } else {
-        line.append(' ');
-        column++;
-      }
-      line.append(word);
-      column += word.length();
-    }
-    print(line + END);
+    String time = String.format(Locale.ROOT, "%8.3f s  ", elapsed() / 1e9);
+    int columns = width() - INDENT.length();
+    List<String> lines =
+        Words.sentence(
+            String.format(Locale.ROOT, format, arguments), width() - time.length(), columns);
+    print(time + String.join(END + INDENT, lines) + END);
   }
 
   private int width() {
@@ -192,7 +184,8 @@ public final class Narration {
   /** A sentence without the time, below a blank line. */
   public synchronized void remark(String text) {
     blank();
-    for (String line : Words.folded(text, Math.min(WIDTH, columns()) - 2)) {
+    int columns = Math.min(WIDTH, columns()) - 2;
+    for (String line : Words.sentence(text, columns, columns)) {
       print("  " + (isColoured ? Colour.of(line) : line) + END);
     }
   }

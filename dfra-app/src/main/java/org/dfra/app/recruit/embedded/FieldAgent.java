@@ -179,6 +179,10 @@ public final class FieldAgent extends ModuleImpl
     part().recruiter().release();
   }
 
+  /** Nobody stops a body that moves in a simulation. */
+  @Override
+  public void resume() {}
+
   @Override
   public RecruitmentStatus status() {
     return part().recruiter().status();

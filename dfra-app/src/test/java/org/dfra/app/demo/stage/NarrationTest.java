@@ -49,6 +49,28 @@ class NarrationTest {
     assertThat(shown).hasSize(11);
   }
 
+  /** As a call tells of that failed on a busy machine. */
+  @Test
+  void noLineIsWiderThanTheOthersWhateverASentenceTellsOf() {
+    StringWriter piped = new StringWriter();
+    Narration plain = new Narration(new PrintWriter(piped), () -> 0);
+    String endpoint =
+        "BasicObjectEndpoint[6e1b7b1c-8a35-4b0e-9d9b-3c1f0f3a7e11,TcpEndpoint[127.0.0.1:40213],"
+            + "org.dfra.river.call.DeadlineInvocationHandler$ThisIsALongNameOfANestedClass]";
+    String why = "Remote exception to " + endpoint + "; nested exception is: \n\tTimeoutException";
+    plain.say("ugv3 appears, but cannot be listened to: %s", why);
+    plain.chapter("testing", "FAILED while " + why);
+    plain.remark(why);
+    assertThat(piped.toString().lines())
+        .filteredOn(line -> line.length() > 96)
+        .as("lines that are too wide")
+        .isEmpty();
+    assertThat(piped.toString().replaceAll("\\s+", ""))
+        .contains(endpoint + ";nestedexceptionis:TimeoutException");
+    plain.say("The logs are in %s.", "/" + "a/".repeat(60));
+    assertThat(piped.toString()).as("a path can be copied").contains("/" + "a/".repeat(60));
+  }
+
   @Test
   void aBlockThatIsSettledStaysWhereItIs() {
     tell.redraw(List.of("first"));

@@ -71,4 +71,9 @@ public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> exten
   public final void cancel(UUID goal) throws RemoteException {
     target().cancel(goal);
   }
+
+  @Override
+  public final void cancelUnattended(UUID goal) throws RemoteException {
+    target().cancelUnattended(goal);
+  }
 }

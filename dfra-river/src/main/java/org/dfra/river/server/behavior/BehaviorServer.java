@@ -73,4 +73,9 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
   public final void cancel(UUID goal) throws RemoteException {
     module().cancel(goal);
   }
+
+  @Override
+  public final void cancelUnattended(UUID goal) throws RemoteException {
+    module().cancelUnattended(goal);
+  }
 }

@@ -1,0 +1,227 @@
+package org.dfra.recruit.agent;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.dfra.behavior.Behavior;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.directory.ModuleListing;
+import org.dfra.persona.StopAttributes;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * Whether the robot is held: somebody stopped it, and nobody has let it go on since. A robot that
+ * is held answers no call for help, and does not set out.
+ *
+ * <p>It is held by each of its behaviours whose goal is {@linkplain BehaviorStatus#heldSince held},
+ * by each effector that moves it and was stopped for an emergency, released or not, and where it is
+ * not known whether somebody stopped its last trip. The behaviours and effectors remember their
+ * stops themselves, over the death of their processes. What is written down here are the stops that
+ * a person has dealt with: by a goal that began later, or by {@link #end}. So a stop is found also
+ * where it happened while the agent's process was dead.
+ *
+ * <p>Thread-safe. Asking needs no network, but for {@link #ask}.
+ */
+final class Hold {
+
+  private static final String DOCUMENT = "hold";
+  private static final String NEVER = "never";
+
+  /** No stop of it was dealt with yet. */
+  private static final String STOPPED = "stopped";
+
+  /** In the document it stands where others have a module's path. */
+  private static final String TRIP = "-";
+
+  private final ModuleContext context;
+  private final Senses senses;
+  private final Logger log;
+
+  /** Since when the last stop was that a person has dealt with, by the path of the module. */
+  private final Map<String, String> ended = new TreeMap<>(); // guarded by this
+
+  private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
+
+  Hold(ModuleContext context, Senses senses, Logger log) {
+    this.context = context;
+    this.senses = senses;
+    this.log = log;
+  }
+
+  /** Knows again what an earlier process has written down. */
+  synchronized void recall() {
+    try {
+      String text =
+          new String(context.state().read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
+      text.lines()
+          .map(line -> line.split(" ", 2))
+          .filter(line -> line.length == 2)
+          .forEach(this::take);
+    } catch (IOException e) {
+      unknown = "it cannot read whether somebody stopped it: " + e.getMessage();
+      log.warn("{}: {}", context.path(), unknown);
+    }
+  }
+
+  /** Holds the lock. */
+  private void take(String[] line) {
+    if (line[0].equals(TRIP)) {
+      unknown = line[1];
+    } else {
+      ended.put(line[0], line[1]);
+    }
+  }
+
+  /** Holds the lock. */
+  private void keep() {
+    StringBuilder text = new StringBuilder();
+    ended.forEach((path, since) -> text.append(path).append(' ').append(since).append('\n'));
+    if (unknown != null) {
+      text.append(TRIP).append(' ').append(unknown.replace('\n', ' ')).append('\n');
+    }
+    try {
+      context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      log.warn(
+          "{}: its next process would not know how it is held: {}", context.path(), e.toString());
+    }
+  }
+
+  /**
+   * Sees which effectors there are. An effector that it sees for the first time may have been
+   * stopped and released years ago: that does not count, but a stop that is not released does.
+   */
+  synchronized void look() {
+    boolean isNews = false;
+    for (ModuleListing<?> mover : senses.movers()) {
+      StopAttributes stop = stop(mover);
+      String known = stop.latched() ? STOPPED : text(stop.since());
+      isNews |= ended.putIfAbsent(mover.path(), known) == null;
+    }
+    if (isNews) {
+      keep();
+    }
+  }
+
+  private static StopAttributes stop(ModuleListing<?> mover) {
+    return mover
+        .attributes(StopAttributes.class)
+        .orElseGet(() -> new StopAttributes(false, null, null));
+  }
+
+  private static String text(@Nullable Instant since) {
+    return since == null ? NEVER : since.toString();
+  }
+
+  /** Why it is held, as a clause; nothing where it is not. */
+  synchronized Optional<String> why() {
+    return Optional.ofNullable(unknown)
+        .or(this::byEffector)
+        .or(
+            () ->
+                senses.behaviors().stream()
+                    .flatMap(each -> byBehavior(each, senses.heldSince(each)).stream())
+                    .findFirst());
+  }
+
+  /** Holds the lock. */
+  private Optional<String> byEffector() {
+    for (ModuleListing<?> mover : senses.movers()) {
+      StopAttributes stop = stop(mover);
+      if (stop.latched()) {
+        return Optional.of(mover.path() + " is stopped for an emergency");
+      }
+      String since = text(stop.since());
+      if (!ended.getOrDefault(mover.path(), since).equals(since)) {
+        return Optional.of(
+            mover.path() + " was stopped for an emergency, and released at " + since);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Holds the lock. */
+  private Optional<String> byBehavior(ModuleListing<?> behavior, @Nullable Instant since) {
+    return since == null || since.toString().equals(ended.get(behavior.path()))
+        ? Optional.empty()
+        : Optional.of("somebody or something stopped " + behavior.path() + " at " + since);
+  }
+
+  /**
+   * The same, by asking each behaviour of the robot now: before anything moves for a call.
+   *
+   * @throws RemoteException if one does not answer, so that it is not known
+   */
+  Optional<String> ask() throws RemoteException {
+    for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
+      @Nullable Instant since = each.module().status().heldSince();
+      Optional<String> held;
+      synchronized (this) {
+        held = byBehavior(each, since);
+      }
+      if (held.isPresent()) {
+        return held;
+      }
+    }
+    synchronized (this) {
+      return Optional.ofNullable(unknown).or(this::byEffector);
+    }
+  }
+
+  /** Nobody knows whether somebody stopped its trip; it is held until a person lets it go on. */
+  synchronized void unknown(String why) {
+    unknown = why;
+    keep();
+  }
+
+  /**
+   * A person had a goal begin, or go on, at that time: that ends each hold that was before.
+   *
+   * @param by what pursues it
+   */
+  synchronized void begun(String by, Instant time) {
+    if (why().isPresent() && end(time)) {
+      log.info("{}: it is held no more, since {} has a goal", context.path(), by);
+    }
+  }
+
+  /** A person lets it go on. An emergency stop that is not released holds it nevertheless. */
+  synchronized void end() {
+    boolean unused = end(Instant.MAX);
+    log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));
+  }
+
+  private synchronized boolean end(Instant until) {
+    Map<String, String> before = new TreeMap<>(ended);
+    @Nullable String unknownBefore = unknown;
+    unknown = null;
+    for (ModuleListing<?> mover : senses.movers()) {
+      StopAttributes stop = stop(mover);
+      if (!stop.latched() && !isAfter(stop.since(), until)) {
+        ended.put(mover.path(), text(stop.since()));
+      }
+    }
+    for (ModuleListing<?> each : senses.behaviors()) {
+      @Nullable Instant since = senses.heldSince(each);
+      if (since != null && !isAfter(since, until)) {
+        ended.put(each.path(), since.toString());
+      }
+    }
+    boolean isNews = !before.equals(ended) || !Objects.equals(unknownBefore, unknown);
+    if (isNews) {
+      keep();
+    }
+    return isNews;
+  }
+
+  private static boolean isAfter(@Nullable Instant since, Instant until) {
+    return since != null && since.isAfter(until);
+  }
+}
