@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -94,7 +95,7 @@ class RunVerbsTest {
     program(jdk.resolve("java"), JAVA);
     program(jdk.resolve("javac"), JAVA);
     Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"17.0.1\"\n");
-    jars = folder.resolve("target/jars");
+    jars = folder.resolve(".dfra/jars");
   }
 
   private static void program(Path file, String text) throws IOException {
@@ -235,6 +236,35 @@ class RunVerbsTest {
     dfra("build");
     assertThat(copies()).as("the last and the one before").hasSize(2);
     assertThat(dfra("status")).isEqualTo("runs version 5\n");
+  }
+
+  /** Its own {@code clean} removes all that a build tool has written. */
+  @ParameterizedTest
+  @ValueSource(strings = {"maven", "gradle"})
+  void leavesWhatRunsItsJarsAlsoWhereTheBuildToolCleansUp(String with) throws Exception {
+    tool = with;
+    dfra("build");
+    Process robot = start("up");
+    await().atMost(PATIENCE).until(() -> said(robot).equals("runs version 1\n"));
+    for (String outputs :
+        List.of("target", "build", "dfra-app/target", "dfra-app/build", "dfra-activation")) {
+      remove(folder.resolve(outputs));
+    }
+    Files.createFile(folder.resolve("end"));
+    assertThat(ended(robot)).isTrue();
+    assertThat(said(robot)).isEqualTo("runs version 1\nstill version 1\n");
+    assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n");
+    assertThat(builds()).isOne();
+  }
+
+  private static void remove(Path tree) throws IOException {
+    if (Files.exists(tree)) {
+      try (Stream<Path> all = Files.walk(tree)) {
+        for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(each);
+        }
+      }
+    }
   }
 
   @Test

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import org.dfra.core.config.RobotXml;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
 import org.dfra.directory.ModuleQuery;
@@ -18,6 +20,7 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.robot.LivingPhoenix;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -126,6 +129,32 @@ class StopIT {
             robot.dfra("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
         assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
         assertTheyStand(typed, "./dfra stop --all was typed, without a lookup service");
+      } finally {
+        WheeledRobot.signal("CONT", pid);
+      }
+    }
+    assertNobodyCommands();
+  }
+
+  /** Its XML was edited and remembered, but up did not get to end what ran before. */
+  @Test
+  void stopsAnEffectorThatTheXmlHasUnderAnotherNameNow() throws Exception {
+    Path edited = folder.resolve("edited.xml");
+    Files.writeString(
+        edited, Files.readString(robot.xml()).replace("name=\"drive\"", "name=\"motor\""));
+    new KnownRobots(phoenix.process().state()).remember(RobotXml.read(edited));
+    try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+      long pid = phoenix.group("eta.lookup").pid();
+      WheeledRobot.signal("STOP", pid);
+      try {
+        Instant typed = Instant.now();
+        Said said =
+            robot.dfra("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
+        assertThat(said.text())
+            .contains("eta/drive: stopped.\n", "eta/motor: NOT STOPPED: phoenix of this host");
+        assertThat(said.status()).isEqualTo(4);
+        assertTheyStand(typed, "./dfra stop --all was typed, under a name that no XML has");
       } finally {
         WheeledRobot.signal("CONT", pid);
       }

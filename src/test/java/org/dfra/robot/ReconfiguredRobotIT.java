@@ -7,9 +7,13 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.rmi.activation.ActivationGroupDesc;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -28,6 +32,8 @@ import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.phoenix.Phoenix;
+import org.dfra.river.phoenix.PhoenixAdmin;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -274,6 +280,53 @@ class ReconfiguredRobotIT {
     up(drive(2, "one") + eye(1, "two"));
     awaitCelsius("drive", 2);
     assertThat(listed("drive").id()).isEqualTo(id);
+  }
+
+  @Test
+  void whatAnInterruptedDownLeftRunningEndsBeforeAnotherDriverHasItsDevice() throws Exception {
+    awaitCelsius("drive", 1);
+    List<ProcessHandle> left = new ArrayList<>();
+    for (String group : List.of("mu.one", "mu.two")) {
+      left.add(ProcessHandle.of(phoenix.group(group).pid()).orElseThrow());
+    }
+    unregisterObjects("mu."); // what down does first; then somebody presses Ctrl-C
+
+    up(group("one", module("eye", 3)) + group("two", module("drive", 3)));
+
+    assertThat(steps)
+        .containsSubsequence(
+            "PROCESS_ENDED mu.one one 1", "PROCESS_ENDED mu.two two 1", "STARTED mu/eye one");
+    assertThat(left).noneMatch(ProcessHandle::isAlive);
+    awaitCelsius("drive", 3);
+  }
+
+  /** What of it belongs to a robot that is described under another name now. */
+  @Test
+  void whatAnInterruptedDownOfAnotherRobotLeftRunningEndsToo() throws Exception {
+    awaitCelsius("drive", 1);
+    ProcessHandle left = ProcessHandle.of(phoenix.group("mu.one").pid()).orElseThrow();
+    unregisterObjects("mu.one");
+    try {
+      up("nu", drive(4, "one"));
+      assertThat(steps).containsExactly("PROCESS_ENDED mu.one one 1", "STARTED nu/drive one");
+      assertThat(left.isAlive()).isFalse();
+    } finally {
+      RobotRemoval.of(phoenix.process(), "nu", PATIENCE);
+    }
+  }
+
+  @SuppressWarnings("unchecked") // as phoenix declares it
+  private static void unregisterObjects(String groups) throws Exception {
+    PhoenixAdmin admin = phoenix.process().admin();
+    Map<ActivationGroupID, ActivationGroupDesc> registered = admin.getActivationGroups();
+    for (var group : registered.entrySet()) {
+      String name = group.getValue().getPropertyOverrides().getProperty(Phoenix.GROUP_NAME);
+      if (name.startsWith(groups)) {
+        for (Object object : admin.getActivatableObjects(group.getKey()).keySet()) {
+          phoenix.process().system().unregisterObject((ActivationID) object);
+        }
+      }
+    }
   }
 
   private static List<String> groups() throws Exception {

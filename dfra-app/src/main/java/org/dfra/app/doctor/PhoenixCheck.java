@@ -100,6 +100,20 @@ final class PhoenixCheck implements Check {
               + ")",
           "See why in " + group.output() + " and in the .vm.log beside it, and mend that.");
     }
+    if (group.unregistered() > 0) {
+      return Finding.warn(
+          Subject.GROUP,
+          name
+              + " is process "
+              + group.pid()
+              + " and still has "
+              + group.unregistered()
+              + (group.unregistered() == 1 ? " service" : " services")
+              + " that phoenix has forgotten, as an interrupted ./dfra down leaves it",
+          "End the process: ./dfra down "
+              + name.replaceFirst("^group ", "").replaceFirst("\\..*", "")
+              + ", or ./dfra up with the robot's XML.");
+    }
     if (group.recentCrashes() > 0) {
       return Finding.warn(
           Subject.GROUP,

@@ -147,6 +147,13 @@ public final class UpCommand implements Callable<Integer> {
               + "; its changed JVM options or class path count from its next start.";
       case GROUP_RESTARTED ->
           "Restarted: process of group " + step.name() + "; " + step.detail() + ".";
+      case PROCESS_ENDED ->
+          "Ended: process of group "
+              + step.name()
+              + ", in which phoenix had forgotten "
+              + step.detail()
+              + (step.detail().equals("1") ? " service" : " services")
+              + ", as an interrupted ./dfra down leaves it.";
       case GROUP_ENDED ->
           "Ended: group " + step.name() + "; the robot's XML does not have it any more.";
     };

@@ -1,73 +1,144 @@
 package org.dfra.app.stop;
 
 import java.io.IOException;
-import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.flow.effector.Effector;
-import org.dfra.river.bootstrap.PhoenixProcess;
-import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.bootstrap.Inventory.RegisteredService;
 import org.dfra.river.server.effector.EffectorServer;
 
-/** The effectors of this host's robots, which phoenix reaches without any lookup service. */
+/**
+ * The effectors of this host's robots, which phoenix reaches without any lookup service. Phoenix
+ * knows what may run, also under a name that no XML has any more; the XML of the robots that were
+ * brought up names what phoenix cannot.
+ */
 final class LocalEffectors {
 
-  private final PhoenixProcess phoenix;
-  private final List<RobotDescription> robots;
-
-  /**
-   * @param robots what was brought up on this host
-   */
-  LocalEffectors(PhoenixProcess phoenix, List<RobotDescription> robots) {
-    this.phoenix = phoenix;
-    this.robots = List.copyOf(robots);
+  /** Asks phoenix what is registered. */
+  interface Phoenix {
+    List<RegisteredService> services() throws IOException, ActivationException;
   }
 
   /**
-   * Their descriptions. A module whose classes are not here is left out: it has to be looked up.
+   * One of them.
+   *
+   * @param robot name of its robot
+   * @param name its name on its robot
+   * @param way how it is reached
    */
-  List<ModuleDescription> all() {
-    List<ModuleDescription> all = new ArrayList<>();
-    for (RobotDescription robot : robots) {
-      for (GroupDescription group : robot.groups()) {
-        group.modules().stream().filter(LocalEffectors::isEffector).forEach(all::add);
-      }
+  record Local(String robot, String name, Way way) {
+
+    /** {@code robot/name}. */
+    String path() {
+      return robot + "/" + name;
     }
+  }
+
+  /** How an effector is reached. */
+  interface Way {
+    /**
+     * Its server, which is started where it does not run.
+     *
+     * @throws IOException if phoenix does not answer
+     * @throws ActivationException if it is not registered, or cannot be started
+     */
+    Effector<?> reach() throws IOException, ActivationException;
+  }
+
+  private final Phoenix phoenix;
+  private final List<RobotDescription> known;
+  private final Predicate<String> wanted;
+
+  /**
+   * @param known the robots that were brought up on this host, as far as their XML is known
+   * @param wanted which robots it is about, by name
+   */
+  LocalEffectors(Phoenix phoenix, List<RobotDescription> known, Predicate<String> wanted) {
+    this.phoenix = phoenix;
+    this.known = List.copyOf(known);
+    this.wanted = wanted;
+  }
+
+  /**
+   * All of them: what phoenix has registered, and what only the XML names, which is not reached and
+   * says why. A module whose classes are not here is left out: it has to be looked up.
+   *
+   * @throws IOException if phoenix does not answer and no XML names an effector
+   * @throws ActivationException likewise
+   */
+  List<Local> all() throws IOException, ActivationException {
+    List<Local> all = new ArrayList<>();
+    try {
+      for (RegisteredService each : services()) {
+        if (wanted.test(each.robot()) && isEffector(each.serverClass())) {
+          String name = each.name() == null ? "(in group " + each.group() + ")" : each.name();
+          all.add(new Local(each.robot(), name, () -> (Effector<?>) each.id().activate(false)));
+        }
+      }
+    } catch (IOException | ActivationException e) {
+      named(
+          all, "no lookup service has it, and phoenix of this host cannot be asked: " + reason(e));
+      if (all.isEmpty()) {
+        throw e;
+      }
+      return all;
+    }
+    named(
+        all,
+        "phoenix of this host does not have it registered, so it was not reached if it runs;"
+            + " ./dfra up with the robot's XML puts that right");
     return all;
   }
 
-  private static boolean isEffector(ModuleDescription module) {
+  /** Asked once more where phoenix fails to answer: on a busy computer it may be late. */
+  private List<RegisteredService> services() throws IOException, ActivationException {
     try {
-      Class<?> server =
-          Class.forName(module.serverClass(), false, LocalEffectors.class.getClassLoader());
+      return phoenix.services();
+    } catch (IOException | ActivationException e) {
+      return phoenix.services();
+    }
+  }
+
+  /** Without what a remote exception appends of its cause. */
+  private static String reason(Exception failure) {
+    return String.valueOf(failure.getMessage()).replaceFirst("(?s);? nested exception is:.*", "");
+  }
+
+  private void named(List<Local> all, String whyNot) {
+    Set<String> found = new HashSet<>();
+    all.forEach(each -> found.add(each.path()));
+    for (RobotDescription robot : known) {
+      for (GroupDescription group : robot.groups()) {
+        for (ModuleDescription module : group.modules()) {
+          if (wanted.test(robot.name())
+              && isEffector(module.serverClass())
+              && !found.contains(module.path())) {
+            all.add(
+                new Local(
+                    robot.name(),
+                    module.name(),
+                    () -> {
+                      throw new ActivationException(whyNot);
+                    }));
+          }
+        }
+      }
+    }
+  }
+
+  private static boolean isEffector(String serverClass) {
+    try {
+      Class<?> server = Class.forName(serverClass, false, LocalEffectors.class.getClassLoader());
       return EffectorServer.class.isAssignableFrom(server);
     } catch (ClassNotFoundException | LinkageError e) {
       return false;
     }
-  }
-
-  /**
-   * The server of one of them. It is started where it does not run.
-   *
-   * @throws IOException if phoenix does not answer
-   * @throws ActivationException if it cannot be started
-   */
-  Effector<?> reach(ModuleDescription module) throws IOException, ActivationException {
-    RobotDescription robot =
-        robots.stream()
-            .filter(each -> each.name().equals(module.robot()))
-            .findFirst()
-            .orElseThrow(
-                () -> new IllegalArgumentException(module.path() + " is not of this host"));
-    if (!phoenix.answers()) {
-      throw new RemoteException(
-          "no lookup service has it, and phoenix of this host does not answer on port "
-              + phoenix.port());
-    }
-    return (Effector<?>) new RobotBootstrap(phoenix, robot).reach(module.name());
   }
 }

@@ -1,8 +1,11 @@
 package org.dfra.app.stop;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.rmi.ConnectException;
 import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -18,7 +21,6 @@ import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.ModuleListing;
@@ -29,9 +31,13 @@ import org.dfra.flow.effector.StopState;
 import org.dfra.module.Module;
 import org.dfra.persona.StopAttributes;
 import org.dfra.river.bootstrap.HostAddress;
+import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.KeptStops;
+import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -54,6 +60,8 @@ import picocli.CommandLine.Spec;
       "It is no replacement for the robot's own emergency stop."
     })
 public final class StopCommand implements Callable<Integer> {
+
+  private static final Logger LOG = LoggerFactory.getLogger(StopCommand.class);
 
   @Parameters(paramLabel = "ROBOT", arity = "0..*", description = "Robots, by name.")
   private List<String> robots = List.of();
@@ -106,7 +114,7 @@ public final class StopCommand implements Callable<Integer> {
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED, StopRound.TRY, this::say)) {
-      callLocal(round);
+      round.findLocal(() -> callLocal(round));
       List<String> silent = new ArrayList<>();
       try {
         silent.addAll(callListed(round));
@@ -136,23 +144,30 @@ public final class StopCommand implements Callable<Integer> {
     return latched && since != null && since.isBefore(begun) ? since : null;
   }
 
+  /** On a thread of the round's: phoenix may not answer, and the lookup services must not wait. */
   private void callLocal(StopRound round) {
-    List<RobotDescription> known;
-    try {
-      known = options.knownRobots().stream().filter(each -> isWanted(each.name())).toList();
-    } catch (IOException | ConfigurationException e) { // the lookup services may know them
-      options.answer().remark("the robots of this host are not known: " + e.getMessage());
-      return;
-    }
     Path state = options.state();
+    List<RobotDescription> known = List.of();
     try {
-      LocalEffectors effectors = new LocalEffectors(options.phoenix(), known);
-      for (ModuleDescription each : effectors.all()) {
+      known = options.knownRobots();
+    } catch (IOException | ConfigurationException e) { // phoenix may know them
+      options.answer().remark("the XML of this host's robots cannot be read: " + e.getMessage());
+    }
+    if (known.isEmpty() && !Files.exists(state.resolve("journal"))) {
+      return; // no phoenix has ever run here
+    }
+    try {
+      PhoenixProcess phoenix = options.phoenix();
+      LocalEffectors effectors =
+          new LocalEffectors(() -> Inventory.services(phoenix), known, this::isWanted);
+      for (LocalEffectors.Local each : effectors.all()) {
         StopState kept = KeptStops.of(state, each.robot(), each.name());
         @Nullable Instant before = before(kept.latched(), kept.since());
-        round.callLocal(each.path(), () -> call(each.path(), effectors.reach(each), before));
+        round.callLocal(each.path(), () -> call(each.path(), each.way().reach(), before));
       }
-    } catch (IOException e) {
+    } catch (ConnectException e) {
+      LOG.debug("No phoenix runs here, and no robot is known.", e);
+    } catch (IOException | ActivationException e) {
       options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
     }
   }

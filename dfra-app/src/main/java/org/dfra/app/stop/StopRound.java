@@ -46,7 +46,8 @@ final class StopRound implements AutoCloseable {
           });
 
   private final Map<UUID, Asked> listed = new LinkedHashMap<>(); // guarded by this
-  private final Map<String, Asked> local = new LinkedHashMap<>(); // guarded by this
+  private final Map<String, List<Asked>> local = new LinkedHashMap<>(); // guarded by this
+  private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
 
   /**
    * @param failed what has become of an effector that was not reached
@@ -83,9 +84,30 @@ final class StopRound implements AutoCloseable {
     }
   }
 
+  /**
+   * Looks for the effectors of this host on a thread of its own; each is called as it is found.
+   *
+   * @param search calls {@link #callLocal} for each
+   */
+  synchronized void findLocal(Runnable search) {
+    searches.add(
+        CompletableFuture.runAsync(search, threads)
+            .exceptionally(
+                failure -> { // what is found otherwise is reported all the same
+                  callLocal(
+                      "the effectors of this host",
+                      () -> {
+                        throw new CompletionException(failure);
+                      });
+                  return null;
+                }));
+  }
+
   /** Calls an effector of this host without any lookup service; see {@link #callListed}. */
   synchronized void callLocal(String path, Callable<Outcome> call) {
-    local.put(path, new Asked(path, twice(path, call)));
+    local
+        .computeIfAbsent(path, unused -> new ArrayList<>())
+        .add(new Asked(path, twice(path, call)));
   }
 
   private CompletableFuture<Outcome> twice(String path, Callable<Outcome> call) {
@@ -122,8 +144,13 @@ final class StopRound implements AutoCloseable {
 
   /** Waits for all that were called, and tells what has become of each. */
   List<Outcome> outcomes() {
+    List<CompletableFuture<Void>> searching;
+    synchronized (this) {
+      searching = List.copyOf(searches);
+    }
+    searching.forEach(CompletableFuture::join); // what they find is counted
     List<Asked> byLookup;
-    Map<String, Asked> here;
+    Map<String, List<Asked>> here;
     synchronized (this) {
       byLookup = List.copyOf(listed.values());
       here = new LinkedHashMap<>(local);
@@ -131,14 +158,17 @@ final class StopRound implements AutoCloseable {
     List<Outcome> outcomes = new ArrayList<>();
     for (Asked each : byLookup) {
       Outcome outcome = each.outcome().join();
-      @Nullable Asked otherWay = here.remove(each.path());
-      if (!outcome.result().isWell() && otherWay != null) {
-        Outcome other = otherWay.outcome().join();
-        outcome = other.result().isWell() ? other : outcome;
+      List<Asked> otherWays = here.getOrDefault(each.path(), List.of());
+      if (otherWays.size() == 1) { // several of one name are several effectors: each has to stop
+        here.remove(each.path());
+        if (!outcome.result().isWell()) {
+          Outcome other = otherWays.get(0).outcome().join();
+          outcome = other.result().isWell() ? other : outcome;
+        }
       }
       outcomes.add(outcome);
     }
-    here.values().forEach(each -> outcomes.add(each.outcome().join()));
+    here.values().forEach(all -> all.forEach(each -> outcomes.add(each.outcome().join())));
     return outcomes;
   }
 

@@ -94,6 +94,20 @@ class RobotChecksTest {
             org.assertj.core.groups.Tuple.tuple(Verdict.OK, "group r.idle waits for a call"));
   }
 
+  @Test
+  void aProcessWithSomethingThatPhoenixHasForgottenIsAWarning() {
+    GroupStatus left =
+        new GroupStatus(
+            "1-r.wheels", State.ACTIVE, 1, 21, false, 0, 2, 0, 0, null, null, "/state/wheels.log");
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), List.of(left))).examine().get(1))
+        .isEqualTo(
+            Finding.warn(
+                Subject.GROUP,
+                "group r.wheels is process 21 and still has 2 services that phoenix has forgotten,"
+                    + " as an interrupted ./dfra down leaves it",
+                "End the process: ./dfra down r, or ./dfra up with the robot's XML."));
+  }
+
   private static GroupStatus group(
       String name, long pid, int crashes, @Nullable String lastCrash, @Nullable Instant until) {
     return new GroupStatus(
@@ -103,6 +117,7 @@ class RobotChecksTest {
         pid,
         false,
         1,
+        0,
         crashes,
         crashes,
         lastCrash,

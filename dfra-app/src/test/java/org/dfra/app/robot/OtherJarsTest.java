@@ -15,15 +15,15 @@ class OtherJarsTest {
   private boolean runsFromOther(String lib) throws IOException {
     Files.createDirectories(proc.resolve("42"));
     Files.writeString(
-        proc.resolve("42/cmdline"), "java\0-cp\0/dfra/target/jars/2/lib/dfra-app.jar\0Group\0");
+        proc.resolve("42/cmdline"), "java\0-cp\0/dfra/.dfra/jars/2/lib/dfra-app.jar\0Group\0");
     return OtherJars.runsFromOther(proc, 42, lib);
   }
 
   @Test
   void knowsAGroupThatWasStartedFromAnOlderBuild() throws IOException {
-    assertThat(runsFromOther("/dfra/target/jars/2/lib")).isFalse();
-    assertThat(runsFromOther("/dfra/target/jars/3/lib")).isTrue();
-    assertThat(runsFromOther("/dfra/target/jars/2/li")).isTrue();
+    assertThat(runsFromOther("/dfra/.dfra/jars/2/lib")).isFalse();
+    assertThat(runsFromOther("/dfra/.dfra/jars/3/lib")).isTrue();
+    assertThat(runsFromOther("/dfra/.dfra/jars/2/li")).isTrue();
   }
 
   @Test

@@ -26,6 +26,11 @@ public record BringUpStep(String name, String group, Kind kind, String detail) {
     GROUP_KEPT,
     /** A group whose process was ended, so that another one is started as described. */
     GROUP_RESTARTED,
+    /**
+     * A process that was ended because it still had services that phoenix had forgotten; the detail
+     * is how many.
+     */
+    PROCESS_ENDED,
     /** A group that the description does not name any more: it was ended and unregistered. */
     GROUP_ENDED
   }

@@ -18,9 +18,13 @@ import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** What is registered with the phoenix of a host: every robot's groups and what is in them. */
 public final class Inventory {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Inventory.class);
 
   private Inventory() {}
 
@@ -49,6 +53,63 @@ public final class Inventory {
     public ServiceGroup {
       modules = List.copyOf(modules);
       running = Set.copyOf(running);
+    }
+  }
+
+  /**
+   * A service of a robot as it is registered, whatever any XML says.
+   *
+   * @param group its group, as {@code robot.group}
+   * @param name the module's name; null where what phoenix keeps of it cannot be read here, or it
+   *     is no module
+   * @param serverClass the class of its server
+   * @param id what the activation system calls it
+   */
+  public record RegisteredService(
+      String group, @Nullable String name, String serverClass, ActivationID id) {
+
+    /** The name of its robot. */
+    public String robot() {
+      return group.substring(0, group.indexOf('.'));
+    }
+  }
+
+  /**
+   * Every service of every robot. Phoenix is asked once; for whoever cannot wait.
+   *
+   * @throws IOException if phoenix does not answer
+   * @throws ActivationException if a group was unregistered meanwhile
+   */
+  public static List<RegisteredService> services(PhoenixProcess phoenix)
+      throws IOException, ActivationException {
+    PhoenixAdmin admin = phoenix.admin();
+    List<RegisteredService> services = new ArrayList<>();
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
+    for (Map.Entry<ActivationGroupID, ActivationGroupDesc> group : groups.entrySet()) {
+      String name = RegisteredGroup.fullName(group.getValue());
+      if (name.indexOf('.') <= 0) {
+        continue; // somebody else's
+      }
+      @SuppressWarnings("unchecked") // as phoenix declares it
+      Map<ActivationID, ActivationDesc> objects = admin.getActivatableObjects(group.getKey());
+      for (Map.Entry<ActivationID, ActivationDesc> each : objects.entrySet()) {
+        services.add(
+            new RegisteredService(
+                name, moduleName(each.getValue()), each.getValue().getClassName(), each.getKey()));
+      }
+    }
+    return services;
+  }
+
+  private static @Nullable String moduleName(ActivationDesc desc) {
+    try {
+      return RegisteredGroup.data(desc) instanceof ModuleActivation data
+          ? data.module().name()
+          : null;
+    } catch (ActivationException e) {
+      LOG.debug("It has no name here.", e);
+      return null;
     }
   }
 

@@ -16,7 +16,6 @@ import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.loading.RobotClasses;
-import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.ModuleActivation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -247,20 +246,6 @@ public final class RobotBootstrap {
         new Service(robot.name() + "/" + module, known.group(), known.id()),
         known.activation().module().place(),
         patience);
-  }
-
-  /**
-   * The server of a module, for whoever cannot wait for a lookup service. It is started where it
-   * does not run.
-   *
-   * @param module name of the module
-   * @throws ConfigurationException if the robot has no module of that name
-   * @throws ActivationException if it cannot be activated
-   */
-  public RemoteModule reach(String module) throws ActivationException, IOException {
-    // One question: who calls for an emergency asks again himself, and waits for nothing.
-    Patience none = Patience.of(Duration.ZERO);
-    return (RemoteModule) known(loader(none), module, "reach").id().activate(false);
   }
 
   /**

@@ -38,6 +38,7 @@ final class ActivatableObject {
   private volatile @Nullable Known known;
   private volatile @Nullable Ready ready;
   private volatile long inactiveIn = NEVER; // the incarnation that said so last
+  private volatile long madeIn = NEVER; // the incarnation that was asked for it last, and may
   private volatile boolean retired;
 
   /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
@@ -86,24 +87,29 @@ final class ActivatableObject {
   private MarshalledObject<? extends Remote> make(ActivationID id) throws ActivationException {
     @Nullable Exception last = null;
     for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
-      if (retired) {
-        throw new UnknownObjectException("the object was unregistered");
-      }
+      requireRegistered();
       Maker maker = group.maker();
+      madeIn = maker.incarnation();
       try {
+        requireRegistered(); // else whoever unregisters it now finds that it is being made
         MarshalledObject<? extends Remote> proxy = maker.instantiator().newInstance(id, desc);
         known = new Known(proxy, maker.incarnation());
         return proxy;
       } catch (NoSuchObjectException | InactiveGroupException e) {
+        madeIn = NEVER;
         group.unusable(maker, false);
         last = e;
       } catch (ConnectException | ConnectIOException e) {
+        madeIn = NEVER;
         if (isRefused(e)) {
           group.unusable(maker, true);
         }
         last = e;
-      } catch (RemoteException e) {
+      } catch (RemoteException e) { // it may have been made
         last = e;
+      } catch (ActivationException e) {
+        madeIn = NEVER;
+        throw e;
       }
     }
     throw new ActivationException(
@@ -116,6 +122,12 @@ final class ActivatableObject {
             + " attempts: "
             + (last == null ? "" : last.getMessage()),
         last);
+  }
+
+  private void requireRegistered() throws UnknownObjectException {
+    if (retired) {
+      throw new UnknownObjectException("the object was unregistered");
+    }
   }
 
   /**
@@ -145,6 +157,7 @@ final class ActivatableObject {
   /** The object's group says that it is not active any more. */
   void inactive() {
     inactiveIn = group.incarnation();
+    madeIn = NEVER;
     known = null;
   }
 
@@ -162,15 +175,15 @@ final class ActivatableObject {
   }
 
   /**
-   * Whether its proxy is known and its group works, or its group works since before this phoenix
-   * did and nobody knows.
+   * Whether its proxy is known and its group works, or nobody knows: its group works since before
+   * this phoenix did, or was asked for the object and has not answered.
    */
   boolean mayBeActive() {
     return knownProxy() != null || isUnknown();
   }
 
   private boolean isUnknown() {
-    return group.isTakenBack() && inactiveIn != group.incarnation();
+    return group.isActive(madeIn) || (group.isTakenBack() && inactiveIn != group.incarnation());
   }
 
   /**

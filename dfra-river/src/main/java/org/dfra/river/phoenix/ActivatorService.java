@@ -7,6 +7,7 @@ import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.Activator;
 import java.rmi.activation.UnknownObjectException;
+import java.rmi.server.UID;
 
 /** What proxies of dead objects call, from anywhere. */
 final class ActivatorService implements Activator {
@@ -25,9 +26,14 @@ final class ActivatorService implements Activator {
 
   /** The object of an ID, where the ID is one of this daemon's. */
   static ActivatableObject object(Daemon daemon, ActivationID id) throws UnknownObjectException {
+    return daemon.object(uid(id));
+  }
+
+  /** The identity within this daemon that an ID stands for. */
+  static UID uid(ActivationID id) throws UnknownObjectException {
     if (!(id instanceof JeriActivationID known)) {
       throw new UnknownObjectException("the ID " + id + " is not one of phoenix's");
     }
-    return daemon.object(known.uid());
+    return known.uid();
   }
 }

@@ -43,6 +43,13 @@ sealed interface Change extends Serializable {
   /** An object got another descriptor, in the same group. */
   record ObjectDescribed(UID object, ActivationDesc desc) implements Change {}
 
-  /** An object was forgotten. */
-  record ObjectUnregistered(UID object) implements Change {}
+  /**
+   * An object was forgotten.
+   *
+   * @param incarnation of its group's process, where that may still have the object; else 0
+   */
+  record ObjectUnregistered(UID object, long incarnation) implements Change {}
+
+  /** An object that was forgotten while a process had it has become inactive there. */
+  record UnregisteredEnded(ActivationGroupID group, UID object) implements Change {}
 }

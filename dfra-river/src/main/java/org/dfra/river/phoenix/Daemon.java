@@ -185,9 +185,16 @@ final class Daemon {
     requireRunning();
     synchronized (groups) {
       ActivatableObject object = object(uid);
-      journal.commit(new Change.ObjectUnregistered(uid));
+      object.retire(); // before it is asked where it may run: then nobody begins to make it
+      long incarnation = object.mayBeActive() ? object.group.incarnation() : 0;
+      try {
+        journal.commit(new Change.ObjectUnregistered(uid, incarnation));
+      } catch (ActivationException | RuntimeException e) {
+        object.unretire();
+        throw e;
+      }
       objects.remove(uid);
-      object.retire();
+      object.group.keeps(uid, incarnation);
     }
   }
 
@@ -197,13 +204,31 @@ final class Daemon {
     if (!object.retireUnlessActive()) {
       return false;
     }
-    try {
-      unregisterObject(object.uid);
-      return true;
-    } catch (ActivationException | RuntimeException e) {
-      object.unretire();
-      throw e;
+    unregisterObject(object.uid);
+    return true;
+  }
+
+  /**
+   * A group's process says that an object is not active any more.
+   *
+   * @throws UnknownObjectException if it is not registered, or not any more
+   */
+  void inactive(UID uid) throws UnknownObjectException {
+    ActivatableObject object = objects.get(uid);
+    if (object != null) {
+      object.inactive();
+      return;
     }
+    for (Group group : groups.values()) {
+      if (group.gaveUp(uid)) {
+        try {
+          journal.commit(new Change.UnregisteredEnded(group.id, uid));
+        } catch (ActivationException e) { // the next daemon ends a process too many
+          LOG.warn("The end of an object of {} is not recorded: {}", group.name, e.getMessage());
+        }
+      }
+    }
+    throw new UnknownObjectException("phoenix has no such object registered");
   }
 
   /** The activation IDs of those of a group's objects that may be active. */

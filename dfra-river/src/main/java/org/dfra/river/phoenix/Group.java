@@ -6,8 +6,10 @@ import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationInstantiator;
 import java.rmi.activation.UnknownGroupException;
+import java.rmi.server.UID;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.river.phoenix.GroupStatus.State;
@@ -142,10 +144,15 @@ final class Group {
   }
 
   /** Takes back a process that a former daemon started. */
-  void adopt(ProcessIdentity found, @Nullable ActivationInstantiator known, boolean leaving) {
+  void adopt(
+      ProcessIdentity found,
+      @Nullable ActivationInstantiator known,
+      boolean leaving,
+      Set<UID> unregistered) {
     lock.lock();
     try {
       current.adopt(found, known, leaving);
+      unregistered.forEach(current::keeps);
       LOG.info("Took back group {}: process {} is {}.", name, found.pid(), current.state());
     } finally {
       lock.unlock();
@@ -322,6 +329,28 @@ final class Group {
     lock.lock();
     try {
       return current.number();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** An object of the group was unregistered, which the process of an incarnation may have. */
+  void keeps(UID unregistered, long itsIncarnation) {
+    lock.lock();
+    try {
+      if (current.number() == itsIncarnation) {
+        current.keeps(unregistered);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Its process has an unregistered object no longer; false where it had none of that name. */
+  boolean gaveUp(UID unregistered) {
+    lock.lock();
+    try {
+      return current.gaveUp(unregistered);
     } finally {
       lock.unlock();
     }

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param pid process number of its virtual machine, or −1 where there is none
  * @param adopted whether this daemon found the machine running when it started
  * @param objects registered objects
+ * @param unregistered objects that were unregistered, but that its virtual machine may still have
  * @param recentCrashes crashes within the window, those of modules that had worked included
  * @param totalCrashes crashes since this daemon started
  * @param lastCrash how it ended the last time, or null
@@ -26,6 +27,7 @@ public record GroupStatus(
     long pid,
     boolean adopted,
     int objects,
+    int unregistered,
     int recentCrashes,
     int totalCrashes,
     @Nullable String lastCrash,

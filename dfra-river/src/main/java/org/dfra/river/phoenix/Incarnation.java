@@ -2,6 +2,9 @@ package org.dfra.river.phoenix;
 
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationInstantiator;
+import java.rmi.server.UID;
+import java.util.HashSet;
+import java.util.Set;
 import org.dfra.river.phoenix.GroupStatus.State;
 import org.jspecify.annotations.Nullable;
 
@@ -18,6 +21,7 @@ final class Incarnation {
   private @Nullable ActivationInstantiator instantiator; // there is one while it is ACTIVE
   private boolean adopted;
   private boolean hasTurn; // holds one of the daemon's turns to start
+  private final Set<UID> unregistered = new HashSet<>(); // while its process may have had them
 
   private Incarnation(long number, State state) {
     this.number = number;
@@ -97,6 +101,24 @@ final class Incarnation {
     process = null;
     instantiator = null;
     adopted = false;
+    unregistered.clear();
+  }
+
+  /** An object was unregistered that its process may have. */
+  void keeps(UID object) {
+    if (state != State.IDLE) {
+      unregistered.add(object);
+    }
+  }
+
+  /** Its process has such an object no longer; false where it had none of that name. */
+  boolean gaveUp(UID object) {
+    return unregistered.remove(object);
+  }
+
+  /** How many objects its process may have that are not registered any more. */
+  int unregistered() {
+    return unregistered.size();
   }
 
   /** Whether it held a turn to start, which it gives back now. */

@@ -23,7 +23,7 @@ final class MonitorService implements ActivationMonitor {
   @Override
   public void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException {
     access.check("inactiveObject");
-    ActivatorService.object(daemon, id).inactive();
+    daemon.inactive(ActivatorService.uid(id));
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.rmi.server.UID;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -81,7 +82,7 @@ final class Recovery {
         LOG.warn("The instantiator of group {} cannot be read back: {}", group.name, e.toString());
       }
     }
-    group.adopt(process, known, record.leaving);
+    group.adopt(process, known, record.leaving, Set.copyOf(record.unregistered()));
     daemon.watch(group, process, null);
     if (record.leaving) {
       daemon.endLater(process);

@@ -9,7 +9,9 @@ import java.rmi.activation.ActivationInstantiator;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.server.UID;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
@@ -41,9 +43,20 @@ final class Registrations implements Serializable {
     @Nullable MarshalledObject<ActivationInstantiator> instantiator;
     boolean leaving;
 
+    /** What was unregistered while the process may have had it; null in former snapshots. */
+    private @Nullable Set<UID> unregistered = new LinkedHashSet<>();
+
     GroupRecord(String name, ActivationGroupDesc desc) {
       this.name = name;
       this.desc = desc;
+    }
+
+    /** Objects that were unregistered while the process may have had them. */
+    Set<UID> unregistered() {
+      if (unregistered == null) {
+        unregistered = new LinkedHashSet<>();
+      }
+      return unregistered;
     }
   }
 
@@ -65,6 +78,7 @@ final class Registrations implements Serializable {
       group.process = null;
       group.instantiator = null;
       group.leaving = false;
+      group.unregistered().clear();
     } else if (change instanceof Change.Launched c) {
       group(c.group()).process = c.process();
     } else if (change instanceof Change.Reported c) {
@@ -76,7 +90,17 @@ final class Registrations implements Serializable {
     } else if (change instanceof Change.ObjectDescribed c) {
       objects.put(c.object(), c.desc());
     } else if (change instanceof Change.ObjectUnregistered c) {
-      objects.remove(c.object());
+      unregister(c);
+    } else if (change instanceof Change.UnregisteredEnded c) {
+      group(c.group()).unregistered().remove(c.object());
+    }
+  }
+
+  private void unregister(Change.ObjectUnregistered change) {
+    @Nullable ActivationDesc desc = objects.remove(change.object());
+    @Nullable GroupRecord group = desc == null ? null : groups.get(desc.getGroupID());
+    if (group != null && change.incarnation() != 0 && change.incarnation() == group.incarnation) {
+      group.unregistered().add(change.object());
     }
   }
 
@@ -119,6 +143,8 @@ final class Registrations implements Serializable {
     } else if (change instanceof Change.Reported c) {
       return c.group();
     } else if (change instanceof Change.Left c) {
+      return c.group();
+    } else if (change instanceof Change.UnregisteredEnded c) {
       return c.group();
     } else if (change instanceof Change.ObjectRegistered c) {
       return c.desc().getGroupID();

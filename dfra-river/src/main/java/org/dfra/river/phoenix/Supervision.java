@@ -112,6 +112,7 @@ final class Supervision {
         process == null ? -1 : process.pid(),
         current.adopted(),
         objects,
+        current.unregistered(),
         crashes.recentCount(),
         crashes.total(),
         crashes.last().orElse(null),

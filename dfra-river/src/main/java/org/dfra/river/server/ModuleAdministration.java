@@ -7,12 +7,14 @@ import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.activation.ActivationGroup;
 import net.jini.core.discovery.LookupLocator;
@@ -43,6 +45,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
   private final ModuleServer<?> server;
+  private final DriverEnd driverEnd;
   private final Exporter exporter;
   private @Nullable Remote stub; // guarded by this
 
@@ -51,6 +54,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
    * @param id the server's activation ID; null where no activation system made it
    * @param serverExporter the exporter of the server
    * @param server is halted, and closed, where an administrator ends it
+   * @param driverEnd the end of its driver
    */
   ModuleAdministration(
       ModulePresence presence,
@@ -58,12 +62,14 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
-      ModuleServer<?> server) {
+      ModuleServer<?> server,
+      DriverEnd driverEnd) {
     this.presence = presence;
     this.module = module;
     this.id = id;
     this.serverExporter = serverExporter;
     this.server = server;
+    this.driverEnd = driverEnd;
     this.exporter = Exporters.jeri(host, DEADLINE_MILLIS);
   }
 
@@ -218,8 +224,17 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
     }
   }
 
+  /**
+   * Ends the module, and returns when its driver is closed, whoever closes it: only then may
+   * another driver have its device.
+   *
+   * @throws RemoteException if the driver is not closed in time; the module stays active then, and
+   *     within reach of whoever asks again. Also if it, or another part of the module, did not end
+   *     cleanly
+   */
   private void end() throws RemoteException {
-    @Nullable RemoteException unclean = null;
+    server.halt();
+    @Nullable RemoteException unclean = driverEnd.hasBegun() ? awaitDriver() : null;
     try {
       server.close();
     } catch (IllegalStateException e) {
@@ -235,6 +250,22 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
     }
     if (unclean != null) { // whoever wants its device must know
       throw unclean;
+    }
+  }
+
+  /** What went wrong with the driver's end; null where nothing did. */
+  private @Nullable RemoteException awaitDriver() throws RemoteException {
+    try {
+      driverEnd.await(Duration.ofMillis(DEADLINE_MILLIS));
+      return null;
+    } catch (IllegalStateException e) {
+      return new RemoteException("its driver did not end cleanly: " + e.getMessage());
+    } catch (TimeoutException e) {
+      throw new RemoteException(
+          "its driver is still being closed after " + DEADLINE_MILLIS + " ms; ask again");
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new RemoteException("interrupted while its driver was being closed; ask again");
     }
   }
 

@@ -9,7 +9,6 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
@@ -18,7 +17,6 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.robot.Ending;
-import org.dfra.core.robot.ShutdownOrder;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -65,8 +63,7 @@ public abstract class ModuleServer<M extends Module>
   private final RemoteListeners listeners;
   private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
-  private volatile @Nullable ModuleImpl mover; // the driver, where it moves the robot
-  private final AtomicReference<@Nullable RuntimeException> haltFault = new AtomicReference<>();
+  private volatile @Nullable DriverEnd driverEnd; // once there is a driver
 
   /**
    * Step 1: the activation system constructs the server; the other five follow.
@@ -106,8 +103,9 @@ public abstract class ModuleServer<M extends Module>
       // Step 3: the driver, which may look for other modules.
       undo.push(parts.neighbours());
       this.driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
-      undo.push(driver);
-      this.mover = ShutdownOrder.movesRobot(driver) ? driver : null;
+      DriverEnd end = new DriverEnd(driver);
+      undo.push(end);
+      this.driverEnd = end;
       this.module = kind.cast(driver);
       driver.start();
       LocalModules.enter(activation.id(), driver);
@@ -141,7 +139,7 @@ public abstract class ModuleServer<M extends Module>
               configuration);
       undo.push(presence);
       this.administration =
-          new ModuleAdministration(presence, driver, activation.host(), id, exporter, this);
+          new ModuleAdministration(presence, driver, activation.host(), id, exporter, this, end);
       undo.push(administration);
       if (id != null) { // elsewhere the process is not this module's
         undo.push(EndOfProcess.ends(this));
@@ -159,14 +157,7 @@ public abstract class ModuleServer<M extends Module>
   /** Undoes what was done, last first; but what moves the robot before all else. */
   private Ending undoAll() {
     Ending ending = new Ending(path);
-    ending.end(this::halt);
-    @Nullable RuntimeException fault = haltFault.getAndSet(null);
-    if (fault != null) {
-      ending.end(
-          () -> {
-            throw fault;
-          });
-    }
+    halt();
     synchronized (undo) {
       while (!undo.isEmpty()) {
         ending.end(undo.pop());
@@ -177,19 +168,14 @@ public abstract class ModuleServer<M extends Module>
 
   /**
    * Closes the driver of a module that moves the robot, which comes to rest and takes no command
-   * any more. Does nothing for any other module, nor when already closed. Whoever ends several
-   * modules halts all of them before it closes the first. What goes wrong is reported by {@link
-   * #close}.
+   * any more. Does nothing for any other module, nor where somebody has begun to close it. Whoever
+   * ends several modules halts all of them before it closes the first. What goes wrong is reported
+   * by {@link #close}.
    */
   public final void halt() {
-    @Nullable ModuleImpl moving = mover;
-    if (moving == null) {
-      return;
-    }
-    try {
-      moving.close();
-    } catch (RuntimeException e) {
-      haltFault.set(e);
+    @Nullable DriverEnd end = driverEnd;
+    if (end != null) {
+      end.halt();
     }
   }
 
@@ -197,7 +183,8 @@ public abstract class ModuleServer<M extends Module>
    * Ends the service: leases, lookup, export and driver, in this order. The driver of a module that
    * moves the robot is the first of them, see {@link #halt}: no lookup service that does not answer
    * may keep wheels turning. Takes about 1 s where lookup services do not answer. Does nothing when
-   * already ended.
+   * already ended. A driver that somebody else is closing is not awaited, so that a driver that is
+   * held up does not keep its module in the lookup services.
    *
    * @throws IllegalStateException if a part of it could not be ended; the others were
    */

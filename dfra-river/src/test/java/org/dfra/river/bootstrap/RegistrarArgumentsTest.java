@@ -17,7 +17,7 @@ class RegistrarArgumentsTest {
   @Test
   void aRegistrarOfAnOlderBuildNeedsNoNewStart() {
     List<String> older = of("127.0.0.1", 4160);
-    older.set(0, "jar:file:/dfra/target/jars/1/lib/dfra-river.jar!/org/dfra/registrar.config");
+    older.set(0, "jar:file:/dfra/.dfra/jars/1/lib/dfra-river.jar!/org/dfra/registrar.config");
     assertThat(older.get(0)).isNotEqualTo(of("127.0.0.1", 4160).get(0));
     assertThat(RegistrarArguments.atStart(older))
         .isEqualTo(RegistrarArguments.atStart(of("127.0.0.1", 4161)));

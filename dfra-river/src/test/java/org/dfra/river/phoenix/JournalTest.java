@@ -16,6 +16,7 @@ import java.rmi.server.UID;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.AnnotatedElementContext;
@@ -62,10 +63,34 @@ class JournalTest {
         objects.add(new UID());
         journal.commit(new Change.ObjectRegistered(objects.get(i), desc("object " + i)));
       }
-      journal.commit(new Change.ObjectUnregistered(objects.remove(4)));
+      journal.commit(new Change.ObjectUnregistered(objects.remove(4), 0));
     }
     try (Journal next = Journal.open(temp, 3)) {
       assertThat(next.<List<UID>>read(r -> List.copyOf(r.objects.keySet()))).isEqualTo(objects);
+    }
+  }
+
+  @Test
+  void whatWasUnregisteredWhileAProcessHadItIsKnownUntilTheNextProcess() throws Exception {
+    UID ended = new UID();
+    UID left = new UID();
+    UID former = new UID();
+    try (Journal journal = Journal.open(temp, 4)) {
+      journal.commit(registered("robot"));
+      for (UID each : List.of(ended, left, former)) {
+        journal.commit(new Change.ObjectRegistered(each, desc("a.B")));
+      }
+      journal.commit(new Change.Launching(group, 7));
+      journal.commit(new Change.ObjectUnregistered(ended, 7));
+      journal.commit(new Change.ObjectUnregistered(left, 7));
+      journal.commit(new Change.ObjectUnregistered(former, 6));
+      journal.commit(new Change.UnregisteredEnded(group, ended));
+    }
+    try (Journal next = Journal.open(temp, NEVER)) {
+      assertThat(next.<Set<UID>>read(r -> Set.copyOf(r.group(group).unregistered())))
+          .containsExactly(left);
+      next.commit(new Change.Launching(group, 8));
+      assertThat(next.<Set<UID>>read(r -> Set.copyOf(r.group(group).unregistered()))).isEmpty();
     }
   }
 
