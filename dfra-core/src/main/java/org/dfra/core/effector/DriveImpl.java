@@ -2,8 +2,7 @@ package org.dfra.core.effector;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.DoubleSupplier;
+import java.util.function.UnaryOperator;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable.Range;
 import org.dfra.flow.effector.BrakeEngagedException;
@@ -16,9 +15,6 @@ import org.dfra.module.Precondition;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.persona.EffectorAttributes;
-import org.dfra.time.Scheduler;
-import org.dfra.time.Scheduler.Task;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Base of every driver of wheels or tracks. It limits velocities to what the drive can, and halts
@@ -51,28 +47,45 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   private static final double SLOWEST = 0.01;
 
+  /**
+   * What the drive was told last. Who asks gets this, so that nobody waits for a driver that is
+   * held up.
+   */
+  private record Motion(Velocity velocity, boolean brake, long silences) {
+
+    static final Motion NONE = new Motion(Velocity.ZERO, false, 0);
+
+    Motion at(Velocity now) {
+      return new Motion(now, brake, silences);
+    }
+
+    Motion braked(boolean set) {
+      return new Motion(velocity, set, silences);
+    }
+
+    Motion silenced() {
+      return new Motion(velocity, brake, silences + 1);
+    }
+  }
+
   private final DriveAttributes most;
   private final double mostSilence;
-  private final Scheduler scheduler;
+  private final CommandTimeout timeout;
 
-  /** Runs nothing but this: see {@link Scheduler#commandTimer}. */
-  private final Scheduler timer;
+  /**
+   * Velocities other than zero, and the calls of the driver that go with them, are put under the
+   * helm's lock alone. The device's thread, which must not wait for that, has wheels stand and
+   * brakes set at any time.
+   */
+  private volatile Motion motion = Motion.NONE; // written under changing
 
-  /** Taken after the helm's lock, and before any of the driver's. */
-  private final Object state = new Object();
+  private final Object changing = new Object();
 
-  private double maxSpeed; // guarded by state
-  private double maxTurnRate; // guarded by state
-  private volatile double silence; // written under state
-  private Velocity velocity = Velocity.ZERO; // guarded by state
-  private boolean brake; // guarded by state
-  private long silences; // guarded by state
-  private volatile long lastNanos; // written under state; when the last velocity came
+  /** Held while the state is told, so that the last one that is told is the newest. */
+  private final Object telling = new Object();
 
-  private @Nullable Task watch; // guarded by state; the first of those with the same number
-
-  /** Written under state. A watch that has not this number does nothing. */
-  private final AtomicLong watches = new AtomicLong();
+  private volatile double maxSpeed;
+  private volatile double maxTurnRate;
 
   /**
    * See {@link EffectorImpl#EffectorImpl}.
@@ -99,8 +112,6 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
         preconditions);
     this.most = most;
     this.mostSilence = Math.floor((LONGEST_SILENCE - braking) * 1e3 + 1e-6) / 1e3; // whole ms
-    this.scheduler = context.robotTime();
-    this.timer = scheduler.commandTimer();
     if (!(braking >= 0 && mostSilence >= LEAST_SILENCE)) {
       throw new IllegalArgumentException(
           path()
@@ -110,6 +121,14 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
               + (LONGEST_SILENCE - LEAST_SILENCE)
               + " s; brake harder or drive slower");
     }
+    double silence =
+        settings()
+            .number(
+                "longest_silence",
+                Math.min(USUAL_SILENCE, mostSilence),
+                LEAST_SILENCE,
+                mostSilence);
+    this.timeout = new CommandTimeout(context.robotTime(), halts(), silence, this::silent);
     declareLimits();
   }
 
@@ -117,49 +136,27 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     maxSpeed = settings().number("max_speed", most.maxSpeed(), SLOWEST, most.maxSpeed());
     maxTurnRate =
         settings().number("max_turn_rate", most.maxTurnRate(), SLOWEST, most.maxTurnRate());
-    silence =
-        settings()
-            .number(
-                "longest_silence",
-                Math.min(USUAL_SILENCE, mostSilence),
-                LEAST_SILENCE,
-                mostSilence);
     declared()
         .number(
             "max_speed",
             "faster velocities are made slower",
             Range.of(SLOWEST, most.maxSpeed(), "m/s"),
-            () -> locked(() -> maxSpeed),
-            value -> locked(() -> maxSpeed = value));
+            () -> maxSpeed,
+            value -> maxSpeed = value);
     declared()
         .number(
             "max_turn_rate",
             "faster velocities are made slower",
             Range.of(SLOWEST, most.maxTurnRate(), "rad/s"),
-            () -> locked(() -> maxTurnRate),
-            value -> locked(() -> maxTurnRate = value));
+            () -> maxTurnRate,
+            value -> maxTurnRate = value);
     declared()
         .number(
             "longest_silence",
             "without a new velocity for so long, the wheels are halted",
             Range.of(LEAST_SILENCE, mostSilence, "s"),
-            () -> locked(() -> silence),
-            this::setSilence);
-  }
-
-  private double locked(DoubleSupplier access) {
-    synchronized (state) {
-      return access.getAsDouble();
-    }
-  }
-
-  private void setSilence(double seconds) {
-    synchronized (state) {
-      silence = seconds;
-      if (watch != null) {
-        watchFor(silenceLeft());
-      }
-    }
+            () -> timeout.seconds(),
+            value -> timeout.setSeconds(value));
   }
 
   /** Has the wheels turn so, not again by itself. Called one at a time; must not block. */
@@ -177,35 +174,35 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   @Override
   protected final void obey(DriveCommand command) {
-    synchronized (state) {
-      haltIfLate(); // before anything else is executed, however busy the timer's threads are
-      if (command instanceof Velocity wanted) {
-        move(wanted);
-      } else if (command instanceof Brake wanted) {
-        park(wanted.set());
-      }
-      tell(snapshot());
+    haltIfLate(); // before anything else is executed, however busy the timer's threads are
+    if (command instanceof Velocity wanted) {
+      move(wanted);
+    } else if (command instanceof Brake wanted) {
+      park(wanted.set());
     }
+    tellState();
   }
 
   private void move(Velocity wanted) {
-    if (brake && !wanted.isZero()) {
+    Velocity velocity = wanted.within(maxSpeed, maxTurnRate);
+    Motion before = change(last -> last.brake() ? last : last.at(velocity));
+    if (before.brake() && !wanted.isZero()) {
       throw new BrakeEngagedException(
           path() + " has its brake set, and does not move until that is released");
     }
-    velocity = wanted.within(maxSpeed, maxTurnRate);
-    lastNanos = scheduler.nanos();
-    if (velocity.isZero()) {
-      forgetWatch();
-    } else if (watch == null) {
-      late().prepare();
-      watchFor(silenceLeft());
-    }
     try {
+      if (velocity.isZero()) {
+        timeout.ended();
+      } else {
+        timeout.began();
+      }
       turn(velocity);
-    } catch (RuntimeException e) { // half of it may have been done
+    } catch (RuntimeException | Error e) { // half of it may have been done
       stand();
       throw e;
+    }
+    if (!velocity.isZero() && motion.velocity().isZero()) {
+      stand(); // meanwhile its brake was set, or it was forgotten: perhaps before it arrived
     }
     haltIfLate(); // where the driver was held up, nobody waits for a timer
   }
@@ -214,7 +211,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   @Override
   protected final long longestWait(DriveCommand command) {
     return command instanceof Velocity wanted && !wanted.isZero()
-        ? Math.round(silence * 1e9)
+        ? timeout.nanos()
         : Long.MAX_VALUE;
   }
 
@@ -223,94 +220,67 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
       stand();
     }
     brake(set);
-    brake = set;
-  }
-
-  private long silenceLeft() {
-    return Math.round(silence * 1e9) - (scheduler.nanos() - lastNanos);
-  }
-
-  private void watchFor(long nanos) {
-    forgetWatch();
-    watch = lookAfter(nanos, watches.get());
-  }
-
-  private Task lookAfter(long nanos, long number) {
-    return timer.after(nanos, () -> late().execute(() -> look(number)));
-  }
-
-  private void forgetWatch() {
-    watches.incrementAndGet();
-    if (watch != null) {
-      watch.cancel();
-      watch = null;
-    }
+    Motion unused = change(last -> last.braked(set));
   }
 
   /**
-   * Halts the wheels where the last velocity is too old; on this module's own thread. A driver that
-   * is held up by a command is halted past that, and once more when that is over.
+   * The last velocity is too old; on the thread for halts. A driver that is held up by a command is
+   * halted past that, and once more when that is over.
    */
-  private void look(long number) {
-    if (number != watches.get()) {
-      return;
-    }
-    long left = silenceLeft();
-    if (left > 0) { // a velocity has come since; without a lock, which a driver may have
-      Task unused = lookAfter(left, number);
-      return;
-    }
+  private void silent(long number) {
     helm().betweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
   }
 
   private void haltLate(long number) {
-    synchronized (state) {
-      if (number != watches.get()) {
-        return;
-      }
-      if (silenceLeft() > 0) { // a velocity came meanwhile
-        Task unused = lookAfter(silenceLeft(), number);
-      } else {
-        haltIfLate();
-      }
+    if (!timeout.isWatching(number)) {
+      return;
+    }
+    if (motion.velocity().isZero()) { // the device's thread had them stand
+      timeout.ended();
+    } else if (timeout.isOver()) {
+      haltIfLate();
+    } else { // a velocity came meanwhile
+      timeout.lookAgain(number);
     }
   }
 
   /** Without the lock, which whoever is held up has. Where commands flow, nobody is. */
   private void haltPastCommand(long number) {
-    if (number != watches.get() || silenceLeft() > 0) {
-      return;
-    }
-    try {
-      halt();
-    } catch (RuntimeException e) { // a driver's fault must not keep it from the halt that follows
-      log.error("{}: it could not be halted while it is held up", path(), e);
+    if (timeout.isWatching(number) && timeout.isOver()) {
+      haltMeanwhile();
     }
   }
 
-  /** Halts the wheels where the last velocity is too old. Holds the lock. */
+  /** Halts the wheels where the last velocity is too old. Between commands. */
   private void haltIfLate() {
-    if (velocity.isZero() || silenceLeft() > 0) {
+    if (motion.velocity().isZero() || !timeout.isOver()) {
       return;
     }
-    silences++;
+    Motion unused = change(Motion::silenced);
     stand();
-    tell(snapshot());
+    tellState();
     log.warn("{}: no velocity came for too long; the wheels are halted", path());
   }
 
+  /** Gives what it was before. */
+  private Motion change(UnaryOperator<Motion> how) {
+    synchronized (changing) {
+      Motion before = motion;
+      motion = how.apply(before);
+      return before;
+    }
+  }
+
   private void stand() {
-    velocity = Velocity.ZERO;
-    forgetWatch();
+    Motion unused = change(last -> last.at(Velocity.ZERO));
+    timeout.ended();
     halt();
   }
 
   @Override
   protected final void rest() {
-    synchronized (state) {
-      stand();
-      tell(snapshot());
-    }
+    stand();
+    tellState();
   }
 
   /** {@inheritDoc} Without the lock: whoever is held up holds it. */
@@ -321,46 +291,47 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   /**
    * The device has forgotten what it was told, since its link or its controller was lost: the
-   * wheels are taken to stand, and stay so until the next velocity.
+   * wheels are taken to stand, and stay so until the next velocity. Never waits for the driver;
+   * where that is about to execute a velocity, it is halted after it.
    *
    * @param brakeSet whether its brake is set now
    */
   protected final void forgotten(boolean brakeSet) {
-    synchronized (state) {
-      velocity = Velocity.ZERO;
-      forgetWatch();
-      brake = brakeSet;
-      tell(snapshot());
-    }
+    Motion unused = change(last -> last.at(Velocity.ZERO).braked(brakeSet));
+    tellState();
   }
 
   /**
    * The device says whether its brake is set, which others than the commander may have done: a
-   * switch on the robot, say. Wheels that are braked are not driven on when the brake is released.
+   * switch on the robot, say. Wheels that are braked are halted, and not driven on when the brake
+   * is released. Waits for the driver for a moment at the most.
    */
   protected final void brakeFound(boolean set) {
-    synchronized (state) {
-      if (brake == set) {
-        return;
-      }
-      brake = set;
-      if (set && !velocity.isZero()) {
-        stand();
-      }
-      tell(snapshot());
+    Motion last = change(was -> (set && !was.brake() ? was.at(Velocity.ZERO) : was).braked(set));
+    if (last.brake() == set) {
+      return;
+    }
+    tellState();
+    if (set && !last.velocity().isZero()) {
+      boolean unused =
+          halts()
+              .executeWithin(
+                  () -> helm().betweenCommands(this::stand, this::haltMeanwhile), DRIVER_PATIENCE);
     }
   }
 
-  private DriveState snapshot() {
-    return new DriveState(clock().instant(), velocity, brake, commander(), silences);
+  private void tellState() {
+    synchronized (telling) {
+      tell(drive());
+    }
   }
 
-  /** {@inheritDoc} It answers from memory. */
+  /** {@inheritDoc} It answers from memory, also while the driver is held up. */
   @Override
   public final DriveState drive() {
-    synchronized (state) {
-      return snapshot();
-    }
+    Motion now = motion;
+    return new DriveState(
+        clock().instant(), now.velocity(), now.brake(), commander(), now.silences());
   }
 
   /** What it says of itself besides what every drive does; see {@link #traits}. */
@@ -372,9 +343,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   protected final List<? extends Attributes> traits() {
     List<Attributes> all = new ArrayList<>();
     all.add(new EffectorAttributes(inputTypes(), null, conditions()));
-    synchronized (state) {
-      all.add(new DriveAttributes(maxSpeed, maxTurnRate, most.length(), most.width()));
-    }
+    all.add(new DriveAttributes(maxSpeed, maxTurnRate, most.length(), most.width()));
     all.addAll(driveTraits());
     return all;
   }

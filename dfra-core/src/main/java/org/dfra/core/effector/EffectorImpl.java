@@ -32,6 +32,9 @@ import org.jspecify.annotations.Nullable;
  */
 public abstract class EffectorImpl<C extends Command> extends DeviceImpl implements Effector<C> {
 
+  /** How long somebody waits for the driver who must not wait for it. */
+  static final Duration DRIVER_PATIENCE = Duration.ofMillis(100);
+
   private final Scheduler time;
   private final Helm helm;
   private final EmergencyStop stop;
@@ -54,7 +57,14 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     super(context, description, author, version, takes, puts, preconditions);
     this.time = context.robotTime();
     StopLatch latch = new StopLatch(context.path(), context.state(), context.clock(), log);
-    this.helm = new Helm(context.path(), context.clock(), this::commanderLost, latch, this::revoke);
+    this.helm =
+        new Helm(
+            context.path(),
+            context.clock(),
+            this::commanderLost,
+            this::heldUp,
+            latch,
+            this::revoke);
     this.stop = new EmergencyStop(context.path(), latch, helm, new StopEnds());
   }
 
@@ -106,29 +116,33 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
+  /** A command that is under way when the commander is lost seems to be held up. */
+  private void heldUp() {
+    if (readiness() != Readiness.STOPPED) { // whoever ends it has done so
+      haltMeanwhile();
+    }
+  }
+
   /**
-   * {@inheritDoc} The end of the commander's lease waits for the command that is under way. Where
-   * the driver is held up by that, the lease ends when the driver goes on, and the device is closed
-   * now: that may be all that sets the driver free.
+   * {@inheritDoc} The end of the commander's lease waits for the command that is under way, and for
+   * the driver to come to rest; this waits for either no longer than a moment. The device is closed
+   * then: that may be all that sets the driver free.
    */
   @Override
   protected final void endLeases() {
     if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
-      super.endLeases();
+      if (!halts().executeWithin(super::endLeases, DRIVER_PATIENCE)) {
+        log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
+      }
       return;
     }
     log.warn("{}: a command is held up in its driver, which is closed nevertheless", path());
-    haltMeanwhile();
-    Thread later = new Thread(super::endLeases, path() + " leases");
-    later.setDaemon(true);
-    try {
-      later.start();
-    } catch (OutOfMemoryError e) { // they end with their process; the device must be closed now
-      log.warn("{}: its leases could not be ended: {}", path(), e.toString());
-    }
+    boolean unused = halts().executeWithin(this::haltMeanwhile, DRIVER_PATIENCE);
+    halts().execute(super::endLeases);
   }
 
-  private void haltMeanwhile() {
+  /** Halts it past the command that holds it up, as far as its driver can. */
+  final void haltMeanwhile() {
     try {
       restMeanwhile();
     } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows

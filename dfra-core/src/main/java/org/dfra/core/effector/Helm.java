@@ -38,6 +38,7 @@ public final class Helm {
   private final String module;
   private final InstantSource clock;
   private final Runnable lost;
+  private final Runnable heldUp;
   private final StopLatch stop;
   private final Consumer<UUID> revoke;
 
@@ -52,13 +53,22 @@ public final class Helm {
    * @param module the effector's path, {@code robot/name}
    * @param lost run when the commander is lost, before anybody else can be; must not block, nor
    *     throw
+   * @param heldUp run before that, once, where the commander is lost and its last command does not
+   *     end within a tenth of a second; must not throw
    * @param stop nobody commands while it is latched
    * @param revoke ends a lease that goes with no command
    */
-  Helm(String module, InstantSource clock, Runnable lost, StopLatch stop, Consumer<UUID> revoke) {
+  Helm(
+      String module,
+      InstantSource clock,
+      Runnable lost,
+      Runnable heldUp,
+      StopLatch stop,
+      Consumer<UUID> revoke) {
     this.module = module;
     this.clock = clock;
     this.lost = lost;
+    this.heldUp = heldUp;
     this.stop = stop;
     this.revoke = revoke;
   }
@@ -245,14 +255,13 @@ public final class Helm {
     if (!isHeldBy(key)) {
       return; // and never will be again
     }
-    acting.lock();
-    try {
-      if (letGo(key)) {
-        lost.run();
-      }
-    } finally {
-      acting.unlock();
-    }
+    betweenCommands(
+        () -> {
+          if (letGo(key)) {
+            lost.run();
+          }
+        },
+        heldUp);
   }
 
   private synchronized boolean letGo(CommandKey key) {

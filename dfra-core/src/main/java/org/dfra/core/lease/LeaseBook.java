@@ -3,7 +3,7 @@ package org.dfra.core.lease;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
-import java.util.Collection;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
@@ -35,7 +36,7 @@ public final class LeaseBook implements AutoCloseable {
   private final InstantSource clock;
   private final Scheduler scheduler;
   private final IntConsumer clientsChanged;
-  private final Executor expiries;
+  private final Function<Holder, Executor> expiries;
 
   private final Map<UUID, Entry> entries = new HashMap<>(); // guarded by itself
   private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
@@ -57,14 +58,15 @@ public final class LeaseBook implements AutoCloseable {
       InstantSource clock,
       Scheduler scheduler,
       IntConsumer clientsChanged) {
-    this(module, terms, clock, scheduler, clientsChanged, Runnable::run);
+    this(module, terms, clock, scheduler, clientsChanged, holder -> Runnable::run);
   }
 
   /**
    * The same.
    *
-   * @param expiries ends those leases that were not renewed; the scheduler only hands over to it,
-   *     since whoever hears of the end may be held up
+   * @param expiries ends those leases that were not renewed, by what their holders are; the
+   *     scheduler only hands over to it, since whoever hears of the end may be held up. It drops no
+   *     task.
    */
   public LeaseBook(
       String module,
@@ -72,7 +74,7 @@ public final class LeaseBook implements AutoCloseable {
       InstantSource clock,
       Scheduler scheduler,
       IntConsumer clientsChanged,
-      Executor expiries) {
+      Function<Holder, Executor> expiries) {
     this.module = module;
     this.terms = terms;
     this.clock = clock;
@@ -142,8 +144,8 @@ public final class LeaseBook implements AutoCloseable {
     synchronized (entries) {
       refuseIfClosed();
       Entry entry = new Entry(holder, host, clock.instant(), whenOver, whenCancelled);
+      extend(id, entry, asked); // first: what cannot be ended in time is not granted
       entries.put(id, entry);
-      extend(id, entry, asked);
     }
     tell();
     return new Grant(id, asked, clock.instant().plus(asked));
@@ -210,7 +212,7 @@ public final class LeaseBook implements AutoCloseable {
         entry.expiry.cancel();
       }
     }
-    tellAnd(entry.whenCancelled);
+    tellAnd(entry.holder, entry.whenCancelled);
     return true;
   }
 
@@ -231,7 +233,7 @@ public final class LeaseBook implements AutoCloseable {
         remember(id);
       }
     }
-    tellAnd(entry.whenOver);
+    tellAnd(entry.holder, entry.whenOver);
     return true;
   }
 
@@ -297,17 +299,29 @@ public final class LeaseBook implements AutoCloseable {
       over = new HashMap<>(entries);
       entries.clear();
     }
-    tellAnd(() -> end(over.values()));
+    List<Runnable> steps = new ArrayList<>();
+    over.values().stream().filter(LeaseBook::commands).forEach(each -> steps.add(each.whenOver));
+    steps.add(this::tell);
+    over.values().stream().filter(each -> !commands(each)).forEach(e -> steps.add(e.whenOver));
+    over.values().forEach(LeaseBook::cancelExpiry);
+    runAll(steps);
   }
 
-  private static void end(Collection<Entry> over) {
+  private static boolean commands(Entry entry) {
+    return entry.holder == Holder.COMMANDER;
+  }
+
+  private static void cancelExpiry(Entry entry) {
+    if (entry.expiry != null) {
+      entry.expiry.cancel();
+    }
+  }
+
+  private static void runAll(List<Runnable> steps) {
     RuntimeException failure = null;
-    for (Entry entry : over) {
-      if (entry.expiry != null) {
-        entry.expiry.cancel();
-      }
+    for (Runnable step : steps) {
       try {
-        entry.whenOver.run();
+        step.run();
       } catch (RuntimeException e) { // the others must hear of it too
         failure = failure == null ? e : failure;
         if (failure != e) {
@@ -320,12 +334,14 @@ public final class LeaseBook implements AutoCloseable {
     }
   }
 
+  /** Where its end cannot be scheduled the lease stays as it was. */
   private void extend(UUID id, Entry entry, Duration asked) {
-    entry.end = scheduler.nanos() + asked.toNanos();
-    if (entry.expiry != null) {
-      entry.expiry.cancel();
-    }
-    entry.expiry = scheduler.after(asked.toNanos(), () -> expiries.execute(() -> expire(id)));
+    long end = scheduler.nanos() + asked.toNanos();
+    Executor ending = expiries.apply(entry.holder);
+    Task expiry = scheduler.after(asked.toNanos(), () -> ending.execute(() -> expire(id)));
+    cancelExpiry(entry);
+    entry.end = end;
+    entry.expiry = expiry;
   }
 
   private void expire(UUID id) {
@@ -337,15 +353,19 @@ public final class LeaseBook implements AutoCloseable {
       }
       entries.remove(id);
     }
-    tellAnd(entry.whenOver);
+    tellAnd(entry.holder, entry.whenOver);
   }
 
-  /** Tells how many clients are left, and runs {@code then} even where that fails. */
-  private void tellAnd(Runnable then) {
+  /**
+   * Tells how many clients are left, and runs {@code then}, whichever of the two fails. The end of
+   * a commander's lease halts the device and comes first, since those who are told may be slow.
+   */
+  private void tellAnd(Holder holder, Runnable then) {
+    boolean isFirst = holder == Holder.COMMANDER;
     try {
-      tell();
+      (isFirst ? then : (Runnable) this::tell).run();
     } finally {
-      then.run();
+      (isFirst ? (Runnable) this::tell : then).run();
     }
   }
 

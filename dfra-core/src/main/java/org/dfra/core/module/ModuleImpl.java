@@ -55,7 +55,8 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final EventHub events;
   private final HistoryBook history;
   private final Lifecycle lifecycle;
-  private final SerialExecutor late;
+  private final SerialExecutor expiries;
+  private final SerialExecutor halts;
   private final LeaseBook leases;
   private final LocalListeners listeners;
   private final List<LatestReading<?>> readings = new CopyOnWriteArrayList<>();
@@ -89,10 +90,16 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
         new HistoryBook(
             path(), context.state(), clock, context.scheduler(), HistoryWriter.shared(), log);
     this.lifecycle = new Lifecycle(path(), log, events, history, context.scheduler());
-    this.late = new SerialExecutor("dfra-late " + path(), context.scheduler());
+    this.expiries = new SerialExecutor("dfra-leases " + path(), context.scheduler());
+    this.halts = new SerialExecutor("dfra-halts " + path(), context.scheduler());
     this.leases =
         new LeaseBook(
-            path(), context.leases(), clock, context.scheduler(), this::countedClients, late);
+            path(),
+            context.leases(),
+            clock,
+            context.scheduler(),
+            this::countedClients,
+            holder -> holder == Holder.COMMANDER ? halts : expiries);
     this.listeners = new LocalListeners(events, leases, lifecycle);
   }
 
@@ -132,7 +139,8 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
       try {
         closeDevice();
       } finally {
-        late.close();
+        expiries.close();
+        halts.close();
       }
     }
   }
@@ -301,11 +309,11 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Runs what a timer finds to be late, such as a lease that was not renewed or a command that was
-   * not followed by another, on a thread of this module's own.
+   * Runs what ends a motion, such as a command that was not followed by another, or a commander's
+   * lease that was not renewed, on a thread of this module's own, which does nothing else.
    */
-  protected final SerialExecutor late() {
-    return late;
+  protected final SerialExecutor halts() {
+    return halts;
   }
 
   /** Where the driver declares its parameters. */

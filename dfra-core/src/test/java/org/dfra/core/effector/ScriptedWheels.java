@@ -30,6 +30,9 @@ final class ScriptedWheels extends DriveImpl {
   /** Who turns the wheels waits for it while it is not null. */
   volatile @Nullable CountDownLatch turnHeldUp;
 
+  /** Who halts the wheels waits for it while it is not null. */
+  volatile @Nullable CountDownLatch haltHeldUp;
+
   ScriptedWheels(Scheduler scheduler, Map<String, String> parameters) {
     this(scheduler, parameters, 0.15);
   }
@@ -70,13 +73,14 @@ final class ScriptedWheels extends DriveImpl {
   @Override
   protected void turn(Velocity wanted) {
     told.add("turn " + wanted.speed() + " " + wanted.turnRate());
-    awaitHolder();
+    await(turnHeldUp);
     fail(turnFails);
   }
 
   @Override
   protected void halt() {
     told.add("halt");
+    await(haltHeldUp);
     fail(haltFails);
   }
 
@@ -85,8 +89,7 @@ final class ScriptedWheels extends DriveImpl {
     told.add("brake " + set);
   }
 
-  private void awaitHolder() {
-    CountDownLatch holder = turnHeldUp;
+  private static void await(@Nullable CountDownLatch holder) {
     try {
       if (holder != null) {
         holder.await();

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lease.Lease;
@@ -54,6 +55,7 @@ final class Tenure implements AutoCloseable {
   private final long duration;
   private final long periodNanos;
   private final Scheduler scheduler;
+  private final Executor callers;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
   // guarded by this
@@ -70,11 +72,16 @@ final class Tenure implements AutoCloseable {
    * @param lease the first lease
    */
   Tenure(String what, Registration registration, long duration, Lease lease, Scheduler scheduler) {
-    this(what, registration, true, duration, lease, scheduler);
+    this(what, registration, true, duration, lease, scheduler, CALLERS);
   }
 
   /** Of a lease that is not asked for again once it is lost; see above. */
   Tenure(String what, long duration, Lease lease, Scheduler scheduler) {
+    this(what, duration, lease, scheduler, CALLERS);
+  }
+
+  /** For tests: with threads that can fail to start. */
+  Tenure(String what, long duration, Lease lease, Scheduler scheduler, Executor callers) {
     this(
         what,
         () -> {
@@ -83,7 +90,8 @@ final class Tenure implements AutoCloseable {
         false,
         duration,
         lease,
-        scheduler);
+        scheduler,
+        callers);
   }
 
   private Tenure(
@@ -92,13 +100,15 @@ final class Tenure implements AutoCloseable {
       boolean comesBack,
       long duration,
       Lease lease,
-      Scheduler scheduler) {
+      Scheduler scheduler,
+      Executor callers) {
     this.what = what;
     this.registration = registration;
     this.comesBack = comesBack;
     this.duration = duration;
     this.lease = lease;
     this.scheduler = scheduler;
+    this.callers = callers;
     long granted = grantedNanos(lease);
     this.end = scheduler.nanos() + granted;
     this.periodNanos = Math.min(TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), granted / 3);
@@ -118,7 +128,17 @@ final class Tenure implements AutoCloseable {
   synchronized void start() {
     if (!closed) {
       HeldLeases.add(lease);
-      next = scheduler.after(periodNanos, () -> CALLERS.execute(this::look));
+      next = scheduler.after(periodNanos, this::send);
+    }
+  }
+
+  /** On the timer's thread: has a thread look after the lease. */
+  private void send() {
+    try {
+      callers.execute(this::look);
+    } catch (OutOfMemoryError e) { // no further thread
+      LOG.log(Level.WARNING, () -> what + ": no thread to renew it, trying again: " + e);
+      start();
     }
   }
 

@@ -5,7 +5,9 @@ import static org.awaitility.Awaitility.await;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.river.fixture.FakeLease;
 import org.dfra.river.fixture.SteppedTime;
 import org.junit.jupiter.api.Test;
@@ -52,5 +54,24 @@ class TenureTest {
     time.pass(Duration.ofMillis(400));
     assertThat(command.isLive()).as("10 s after it was granted").isFalse();
     command.close();
+  }
+
+  @Test
+  void renewsAgainAfterThereWasNoThreadForIt() throws Exception {
+    AtomicInteger missing = new AtomicInteger(2);
+    Executor callers =
+        task -> {
+          if (missing.getAndDecrement() > 0) {
+            throw new OutOfMemoryError("unable to create native thread");
+          }
+          task.run();
+        };
+    Tenure use = new Tenure("command of r/drive", LEASE.toMillis(), lease, time, callers);
+    use.start();
+    time.pass(Duration.ofMillis(3 * 800));
+    assertThat(lease.renewed).containsExactly(LEASE.toMillis());
+    time.pass(Duration.ofMillis(800));
+    assertThat(lease.renewed).hasSize(2);
+    use.close();
   }
 }

@@ -25,7 +25,7 @@ final class FlightOrders {
 
   private final Listener listener;
   private @Nullable Order current; // guarded by this
-  private String told = "none"; // guarded by this
+  private volatile String told = "none"; // written under this
 
   /** An order under way; all of it is guarded by the orders. */
   private static final class Order {
@@ -102,8 +102,11 @@ final class FlightOrders {
     listener.ended(order.name, step, result);
   }
 
-  /** The order under way, or what became of the last one. */
-  synchronized String told() {
+  /**
+   * The order under way, or what became of the last one. Without the lock, which is held while an
+   * order is written to the link.
+   */
+  String told() {
     return told;
   }
 }

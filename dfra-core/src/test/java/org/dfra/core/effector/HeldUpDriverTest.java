@@ -1,0 +1,210 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.dfra.core.time.StallProbe;
+import org.dfra.flow.effector.BrakeEngagedException;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveState;
+import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.DriveAttributes;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Nobody waits for a driver that is held up in a write or in a halt; by real time. */
+@Timeout(120)
+class HeldUpDriverTest {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final Duration LEASE = Duration.ofSeconds(30);
+  private static final Velocity AHEAD = new Velocity(0.5, 0);
+  private static final String TURNED = "turn 0.5 0.0";
+
+  private final ScriptedWheels wheels = new ScriptedWheels(Scheduler.system(), Map.of());
+  private final CountDownLatch release = new CountDownLatch(1);
+
+  @BeforeEach
+  void begin() {
+    wheels.start();
+  }
+
+  @AfterEach
+  void end() {
+    release.countDown();
+    wheels.close();
+  }
+
+  private CommandKey key() throws LeaseRefusedException {
+    return wheels.command(LEASE).key();
+  }
+
+  private CompletableFuture<Void> holdUpAWrite(CommandKey key) {
+    wheels.turnHeldUp = release;
+    CompletableFuture<Void> writing = beside(() -> wheels.obey(key, AHEAD));
+    await().atMost(PATIENCE).until(() -> wheels.told.contains(TURNED));
+    return writing;
+  }
+
+  private static CompletableFuture<Void> beside(Runnable task) {
+    return CompletableFuture.runAsync(task, run -> new Thread(run).start());
+  }
+
+  private static <T> T answer(Supplier<T> question) throws Exception {
+    return CompletableFuture.supplyAsync(question, run -> new Thread(run).start())
+        .get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  @Test
+  void aDeviceWhoseDriverBlocksInAHaltIsClosed() throws Exception {
+    wheels.obey(key(), AHEAD);
+    wheels.haltHeldUp = release;
+    beside(wheels::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(wheels.told).containsSubsequence(TURNED, "halt", "closed");
+  }
+
+  @Test
+  void aDeviceWhoseDriverBlocksInAWriteAndInAHaltIsClosed() throws Exception {
+    CompletableFuture<Void> writing = holdUpAWrite(key());
+    wheels.haltHeldUp = release;
+    beside(wheels::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(wheels.told).contains("closed");
+    assertThat(writing).isNotDone();
+  }
+
+  @Test
+  void whoFindsABrakeSetDoesNotWaitForAHaltThatBlocks() throws Exception {
+    CommandKey key = key();
+    wheels.obey(key, AHEAD);
+    wheels.haltHeldUp = release;
+    beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(wheels.told).contains("halt");
+    DriveState now = answer(wheels::drive);
+    assertThat(now.brake()).isTrue();
+    assertThat(now.velocity()).isEqualTo(Velocity.ZERO);
+  }
+
+  @Test
+  void aBrakeThatIsFoundSetWhileAWriteHangsHaltsPastItAndOnceMoreAfterIt() throws Exception {
+    wheels.setParameter("longest_silence", "0.35");
+    CommandKey key = key();
+    CompletableFuture<Void> writing = holdUpAWrite(key);
+    beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    assertThat(writing).isNotDone();
+    assertThat(wheels.drive().brake()).isTrue();
+    release.countDown();
+    writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    await().atMost(PATIENCE).until(() -> wheels.told.stream().filter("halt"::equals).count() >= 2);
+    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).isInstanceOf(BrakeEngagedException.class);
+    assertThat(wheels.drive().silences()).as("the brake was first").isZero();
+  }
+
+  @Test
+  void askingNeverWaitsForAWrite() throws Exception {
+    CompletableFuture<Void> writing = holdUpAWrite(key());
+    assertThat(answer(wheels::drive).velocity()).isEqualTo(AHEAD);
+    List<Attributes> attributes = answer(wheels::attributes);
+    assertThat(attributes).contains(new DriveAttributes(1, 2, 0.78, 0.64));
+    assertThat(answer(wheels::parameters)).anyMatch(each -> each.name().equals("max_speed"));
+    assertThat(answer(wheels::stopState).latched()).isFalse();
+    assertThat(writing).isNotDone();
+  }
+
+  @Test
+  void settingAParameterDoesNotWaitForAWrite() throws Exception {
+    CompletableFuture<Void> writing = holdUpAWrite(key());
+    for (String name : List.of("max_speed", "max_turn_rate", "longest_silence")) {
+      beside(() -> wheels.setParameter(name, "0.2")).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    }
+    assertThat(answer(wheels::attributes)).contains(new DriveAttributes(0.2, 0.2, 0.78, 0.64));
+    assertThat(writing).isNotDone();
+  }
+
+  @Test
+  void aLinkThatIsLostDuringAWriteIsNoticedAtOnceAndTheWriteIsFollowedByAHalt() throws Exception {
+    CommandKey key = key();
+    CompletableFuture<Void> writing = holdUpAWrite(key);
+    beside(() -> wheels.restart(false)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(answer(wheels::drive).velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(writing).isNotDone();
+    wheels.turnHeldUp = null;
+    release.countDown();
+    writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(wheels.told).as("it may have reached the new link").endsWith("halt");
+    wheels.serveAgain();
+    wheels.told.clear();
+    wheels.obey(key, AHEAD);
+    await("and the next velocity is watched")
+        .atMost(PATIENCE)
+        .until(() -> wheels.told.equals(List.of(TURNED, "halt")));
+  }
+
+  @Test
+  void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoHalt() throws Exception {
+    CountDownLatch noted = new CountDownLatch(1);
+    Runnable slow =
+        () -> {
+          noted.countDown();
+          try {
+            release.await();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        };
+    wheels.leases().grant(Duration.ofMillis(10), Holder.CLIENT, null, slow);
+    assertThat(noted.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+    try (StallProbe probe = StallProbe.start()) {
+      wheels.obey(key(), AHEAD);
+      StallProbe.Stopwatch begun = probe.stopwatch();
+      await()
+          .pollInterval(Duration.ofMillis(5))
+          .atMost(PATIENCE)
+          .until(() -> wheels.told.contains("halt"));
+      begun.stop().requireWithin("the halt after the last velocity", Duration.ofMillis(500));
+    }
+    assertThat(wheels.drive().silences()).isEqualTo(1);
+  }
+
+  @Test
+  void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoEndOfACommandersLease() throws Exception {
+    CountDownLatch noted = new CountDownLatch(1);
+    Runnable slow =
+        () -> {
+          noted.countDown();
+          try {
+            release.await();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        };
+    wheels.leases().grant(Duration.ofMillis(10), Holder.CLIENT, null, slow);
+    assertThat(noted.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+    CommandKey unused =
+        wheels
+            .helm()
+            .take(
+                "a test",
+                over ->
+                    wheels
+                        .leases()
+                        .grant(Duration.ofMillis(100), Holder.COMMANDER, null, over)
+                        .id());
+    await().atMost(PATIENCE).until(() -> wheels.helm().commander() == null);
+    assertThat(wheels.told).contains("halt");
+  }
+}

@@ -1,0 +1,50 @@
+package org.dfra.drivers.uav.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.dronefleet.mavlink.common.MavCmd;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.drivers.fixture.StepTicker;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class FlightOrdersTest {
+
+  private final CountDownLatch writing = new CountDownLatch(1);
+  private final CountDownLatch release = new CountDownLatch(1);
+  private final FlightOrders orders = new FlightOrders((order, step, result) -> {});
+  private final CommandProtocol stuck =
+      new CommandProtocol(new StepTicker(false), (command, times) -> write());
+
+  private void write() {
+    writing.countDown();
+    try {
+      release.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Test
+  void whoAsksForTheLastOrderDoesNotWaitForItsWrite() throws Exception {
+    stuck.found();
+    List<MavlinkCommand> steps = List.of(Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, 1, 0));
+    CompletableFuture<Boolean> begun =
+        CompletableFuture.supplyAsync(() -> orders.begin("Arm", steps, stuck));
+    assertThat(writing.await(20, TimeUnit.SECONDS)).isTrue();
+    CompletableFuture<String> told =
+        CompletableFuture.supplyAsync(orders::told, task -> new Thread(task).start());
+    try {
+      assertThat(told.get(10, TimeUnit.SECONDS)).isEqualTo("Arm awaits its answer");
+      assertThat(begun).isNotDone();
+    } finally {
+      release.countDown();
+    }
+    assertThat(begun.get(20, TimeUnit.SECONDS)).isTrue();
+  }
+}
