@@ -150,12 +150,12 @@ class TestVerbTest {
         .contains(
             "-T",
             "-Ddfra.test.forks.across=4",
-            "-Ddfra.test.alone=%regex[org/dfra/app/DemoIT\\.class]")
+            "-Ddfra.test.alone=%regex[org/dfra/app/DemoRasterIT\\.class]")
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
         .contains(
-            "-Ddfra.test.alone=%regex[org/dfra/(app/DemoIT|app/raster/process/.*IT"
+            "-Ddfra.test.alone=%regex[org/dfra/(app/Demo.*IT|app/raster/process/.*IT"
                 + "|phoenix/KilledModuleIT)\\.class]");
   }
 

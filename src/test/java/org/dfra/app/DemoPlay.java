@@ -1,0 +1,88 @@
+package org.dfra.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.app.terminal.ExitCode;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Runs a demonstration as a user runs it. In full its times are judged too, and nothing else runs
+ * beside it; in the everyday tier it shares the computer, and only what must be true is judged.
+ */
+abstract class DemoPlay {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(900);
+
+  /** Sentences; tables are narrower. */
+  private static final int WIDTH = 96;
+
+  /** Tables, where there is no terminal. */
+  private static final int TABLE = 80;
+
+  private static final boolean IS_STRICT = Boolean.getBoolean("dfra.full");
+
+  @TempDir Path folder;
+
+  final void play(String name, String... story) throws Exception {
+    String unused = play(name, List.of(), story);
+  }
+
+  /**
+   * Runs it and looks at what it says, records, answers and leaves behind.
+   *
+   * @return what it said, in one line
+   */
+  final String play(String name, List<String> options, String... story) throws Exception {
+    Path temp = Files.createDirectory(folder.resolve("tmp"));
+    Path csv = folder.resolve("figures.csv");
+    String said;
+    try (MarkedProcesses processes = new MarkedProcesses(folder, "-Djava.io.tmpdir=" + temp)) {
+      List<String> arguments = new ArrayList<>(List.of("demo", name, "--record=" + csv));
+      arguments.add("--report=" + folder.resolve("report"));
+      if (IS_STRICT) {
+        arguments.add("--strict");
+      }
+      arguments.addAll(options);
+      Outcome outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
+      said = outcome.out().replaceAll("\\s+", " ");
+
+      assertThat(outcome.out() + outcome.err()).doesNotContain("FAILED");
+      assertThat(outcome.err()).isEmpty();
+      assertThat(said).as("the story").containsSubsequence(story);
+      assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))
+          .as("lines that are wider than %d columns", WIDTH)
+          .isEmpty();
+      List<String> figures =
+          outcome
+              .out()
+              .lines()
+              .dropWhile(line -> !line.equals("Measured"))
+              .takeWhile(line -> !line.isEmpty())
+              .toList();
+      assertThat(figures.stream().filter(line -> line.length() > TABLE))
+          .as("figures that are wider than %d columns", TABLE)
+          .isEmpty();
+      List<String> rows = Files.readAllLines(csv);
+      assertThat(rows).as("a header and a row each").hasSizeGreaterThan(1);
+      String measured = String.join(" ", figures).replaceAll("\\s+", " ");
+      assertThat(rows.stream().skip(1).map(row -> row.split("\"", -1)[1]))
+          .allMatch(figure -> measured.contains(figure));
+      assertThat(outcome.out()).as("no colours in a pipe").doesNotContain("\u001b");
+      // A machine that is busy with other work may miss a figure; then it has to say so.
+      boolean isMissed = IS_STRICT && outcome.out().contains("MISSED");
+      int expected = isMissed ? ExitCode.FAILED : ExitCode.WELL;
+      assertThat(outcome.exit()).as(outcome.out()).isEqualTo(expected);
+      assertThat(processes.living()).as("processes left").isEmpty();
+    }
+    try (var left = Files.list(temp)) {
+      assertThat(left.toList()).as("left in the temporary folder").isEqualTo(List.of());
+    }
+    return said;
+  }
+}
