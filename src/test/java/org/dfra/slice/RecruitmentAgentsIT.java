@@ -8,16 +8,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.UUID;
+import java.util.stream.Collectors;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpRefusedException;
 import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.GoToWaypoint;
 import org.dfra.core.config.RobotXml;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.module.NotReadyException;
+import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.effector.DriveProxy;
@@ -34,6 +42,7 @@ import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -47,6 +56,10 @@ class RecruitmentAgentsIT {
 
   private static final Path PROPERTIES =
       Path.of(System.getProperty("dfra.root"), "config", "modules");
+
+  /** Farther than it gets within any of the leases of these tests. */
+  private static final HelpCall FAR =
+      new HelpCall("mine", SmallRobot.at(90, 0), Duration.ofMinutes(5), Duration.ofMinutes(3));
 
   @TempDir Path folder;
 
@@ -65,10 +78,12 @@ class RecruitmentAgentsIT {
         .formatted(name, server.getName(), proxy.getName(), driver.getName().replace("$", "$$"));
   }
 
-  private Path robot() throws Exception {
+  private Path robot(String name, Map<String, String> ofAgent) throws Exception {
+    Map<String, String> parameters = new TreeMap<>(Map.of("percepts", "mine", "tolerance", "0.6"));
+    parameters.putAll(ofAgent);
     return Files.writeString(
-        folder.resolve("ugv.xml"),
-        "<robot xmlns=\"urn:dfra:robot:1\" name=\"robot\" host=\"127.0.0.1\">\n"
+        folder.resolve(name + ".xml"),
+        "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"127.0.0.1\">\n".formatted(name)
             + "<lookup locators=\"127.0.0.1:"
             + REGGIE.port()
             + "\"/>\n<group name=\"body\">\n"
@@ -86,7 +101,9 @@ class RecruitmentAgentsIT {
             + module(
                 "agent",
                 "recruitment-agent",
-                parameter("percepts", "mine") + parameter("tolerance", "0.6"))
+                parameters.entrySet().stream()
+                    .map(each -> parameter(each.getKey(), each.getValue()))
+                    .collect(Collectors.joining()))
             + "</group>\n</robot>\n");
   }
 
@@ -107,7 +124,9 @@ class RecruitmentAgentsIT {
     try (ModuleServer<?> serving = uav.serve();
         LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
         JiniModuleDirectory directory = REGGIE.directory()) {
-      assertThat(new RobotBootstrap(phoenix.process(), RobotXml.read(robot())).up()).hasSize(10);
+      assertThat(
+              new RobotBootstrap(phoenix.process(), RobotXml.read(robot("robot", Map.of()))).up())
+          .hasSize(10);
       phoenix.note();
       RecruitmentAgent asking = agent(directory, "uav");
       assertThat(asking.identification()).as("%s", serving).isNotNull();
@@ -159,6 +178,144 @@ class RecruitmentAgentsIT {
               }
             });
     return found[0];
+  }
+
+  /** Somebody steps in front of a helper and has it stop; then its agent's process dies. */
+  @Test
+  void aHelperThatSomebodyStoppedAnswersNoCallUntilAPersonLetsItGoOn() throws Exception {
+    ServedModule<?> uav =
+        ServedModule.written(folder, "agent", "recruitment-agent", Map.of())
+            .on("uav")
+            .joining(REGGIE);
+    try (ModuleServer<?> serving = uav.serve();
+        LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+        JiniModuleDirectory directory = REGGIE.directory()) {
+      Map<String, String> eager = Map.of("strategy", "greedy", "speed", "1");
+      new RobotBootstrap(phoenix.process(), RobotXml.read(robot("robot", eager))).up();
+      phoenix.note();
+      RecruitmentAgent asking = agent(directory, "uav");
+      assertThat(asking.identification()).as("%s", serving).isNotNull();
+      RecruitmentAgent helping = agent(directory, "robot");
+      assertThat(helping.awaitReadiness(PATIENCE).serves()).isTrue();
+      GoToWaypoint driving = driving(directory, "robot");
+      await().atMost(PATIENCE).until(() -> isMade(asking, FAR));
+      await()
+          .atMost(PATIENCE)
+          .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
+      await().atMost(PATIENCE).until(() -> driving.status().phase() == Phase.RUNNING);
+
+      driving.pause();
+
+      await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
+      assertThat(helping.status().held()).contains("robot/go_to_waypoint");
+      await().atMost(PATIENCE).until(() -> isShownAsHeld(directory));
+      phoenix.kill("robot.agent");
+      assertThat(phase(helping)).isEqualTo(ResponderPhase.FREE);
+      assertThat(helping.status().held()).as("the next process").contains("robot/go_to_waypoint");
+      List<RecruitmentStatus> said = ServedRobots.heard(helping, RecruitmentStatus.class);
+      int calls = 3;
+      await()
+          .atMost(PATIENCE)
+          .until(
+              () -> asking.status().requester() == RequesterPhase.CALLING || isMade(asking, FAR));
+      Thread.sleep(calls * 1000L); // the time in which it would answer; nothing is to be awaited
+      assertThat(said).extracting(RecruitmentStatus::responder).containsOnly(ResponderPhase.FREE);
+      assertThat(driving.status().phase()).isEqualTo(Phase.CANCELLED);
+
+      helping.resume();
+
+      assertThat(helping.status().held()).isNull();
+      await()
+          .atMost(PATIENCE)
+          .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
+      asking.release();
+    }
+  }
+
+  /** Long, since a lease of the task has to end, and another helper has to be asked. */
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes a minute")
+  void aHelperWhoseAgentIsSuspendedOnItsWayIsNeverOneOfTwo() throws Exception {
+    Map<String, String> quick = Map.of("replace_after", "6", "help_every", "1");
+    ServedModule<?> uav =
+        ServedModule.written(folder, "agent", "recruitment-agent", quick).on("uav").joining(REGGIE);
+    try (ModuleServer<?> serving = uav.serve();
+        LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+        JiniModuleDirectory directory = REGGIE.directory()) {
+      for (Map.Entry<String, String> each : Map.of("robot", "20", "other", "4").entrySet()) {
+        Map<String, String> ofAgent = new TreeMap<>(quick);
+        ofAgent.put("strategy", "greedy");
+        ofAgent.put("speed", each.getValue()); // the nearer one by its own word is chosen
+        new RobotBootstrap(phoenix.process(), RobotXml.read(robot(each.getKey(), ofAgent))).up();
+      }
+      phoenix.note();
+      RecruitmentAgent asking = agent(directory, "uav");
+      assertThat(asking.identification()).as("%s", serving).isNotNull();
+      RecruitmentAgent first = agent(directory, "robot");
+      RecruitmentAgent second = agent(directory, "other");
+      GoToWaypoint driving = driving(directory, "robot");
+      assertThat(first.awaitReadiness(PATIENCE).serves()).isTrue();
+      assertThat(second.awaitReadiness(PATIENCE).serves()).isTrue();
+      await().atMost(PATIENCE).until(() -> isOnItsWay(asking, first, second));
+      await().atMost(PATIENCE).until(() -> driving.status().phase() == Phase.RUNNING);
+      long pid = phoenix.group("robot.agent").pid();
+      signal("-STOP", pid);
+      try {
+        await()
+            .pollInterval(Duration.ofMillis(50))
+            .atMost(PATIENCE)
+            .until(
+                () -> {
+                  boolean isSecond = second.status().responder().isCommitted();
+                  boolean isMoving = driving.status().phase() == Phase.RUNNING;
+                  assertThat(isSecond && isMoving).as("two helpers").isFalse();
+                  return isSecond;
+                });
+        assertThat(driving.status().phase()).as("its lease ended it").isEqualTo(Phase.FAILED);
+        assertThat(driving.status().doing()).contains("time limit");
+      } finally {
+        signal("-CONT", pid);
+      }
+      UUID leg = driving.status().goal();
+      await().atMost(PATIENCE).until(() -> phase(first) == ResponderPhase.FREE);
+      assertThat(second.status().responder().isCommitted()).isTrue();
+      assertThat(asking.status().helper()).isEqualTo("other");
+      assertThat(driving.status().goal()).as("it has begun nothing since").isEqualTo(leg);
+      asking.release();
+      await().atMost(PATIENCE).until(() -> phase(second) == ResponderPhase.FREE);
+    }
+  }
+
+  /** Has the first of two chosen, though the second may be found before it. */
+  private static boolean isOnItsWay(
+      RecruitmentAgent asking, RecruitmentAgent first, RecruitmentAgent second)
+      throws RemoteException {
+    if (second.status().responder().isCommitted()) {
+      asking.release();
+    } else if (asking.status().requester() == RequesterPhase.IDLE
+        && second.status().responder() == ResponderPhase.FREE) {
+      boolean unused = isMade(asking, FAR);
+    }
+    return first.status().responder() == ResponderPhase.TRAVELLING;
+  }
+
+  private static GoToWaypoint driving(JiniModuleDirectory directory, String robot)
+      throws Exception {
+    return directory
+        .findFirst(ModuleQuery.of(GoToWaypoint.class).robot(robot), PATIENCE)
+        .orElseThrow(() -> new AssertionError(robot + " has nothing that drives"))
+        .module();
+  }
+
+  /** By its persona. */
+  private static boolean isShownAsHeld(JiniModuleDirectory directory) {
+    return directory.find(ModuleQuery.of(RecruitmentAgent.class).robot("robot")).stream()
+        .flatMap(each -> each.attributes(RecruitmentAttributes.class).stream())
+        .anyMatch(each -> each.held() != null);
+  }
+
+  private static void signal(String name, long pid) throws Exception {
+    assertThat(new ProcessBuilder("kill", name, Long.toString(pid)).start().waitFor()).isZero();
   }
 
   private static double position(JiniModuleDirectory directory) throws Exception {

@@ -2,6 +2,7 @@ package org.dfra.app.module;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.dfra.app.team.Seen;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.Table;
@@ -23,7 +24,9 @@ public final class ModuleTable {
       table.row(
           each.path(),
           String.join(", ", each.kinds()),
-          state(each) + (each.stopped() ? ", EMERGENCY STOP" : ""),
+          state(each)
+              + (each.stopped() ? ", EMERGENCY STOP" : "")
+              + (each.held().isPresent() ? ", HELD" : ""),
           Integer.toString(each.clients()),
           each.host(),
           Seen.of(each.stale(), each.confirmed()));
@@ -31,7 +34,7 @@ public final class ModuleTable {
     answer.table(modules, table, nothing);
     if (!answer.isJson()) {
       modules.stream()
-          .flatMap(each -> each.complaint().stream())
+          .flatMap(each -> Stream.concat(each.complaint().stream(), each.hold().stream()))
           .forEach(sentence -> answer.line(sentence, sentence));
     }
   }

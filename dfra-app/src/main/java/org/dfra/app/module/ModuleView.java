@@ -8,6 +8,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.persona.StopAttributes;
 import org.dfra.river.lookup.UnreadableModule;
 
@@ -27,6 +28,8 @@ import org.dfra.river.lookup.UnreadableModule;
  * @param id its service ID
  * @param reason why it does not serve, or why its classes are refused here; absent where it serves
  * @param refused whether its proxy cannot be read here
+ * @param held why its robot answers no call for help, where it is a recruitment agent; absent where
+ *     it is not held
  */
 public record ModuleView(
     String robot,
@@ -41,7 +44,8 @@ public record ModuleView(
     Instant confirmed,
     String id,
     Optional<String> reason,
-    boolean refused) {
+    boolean refused,
+    Optional<String> held) {
 
   public ModuleView {
     kinds = List.copyOf(kinds);
@@ -63,7 +67,8 @@ public record ModuleView(
         listing.confirmed(),
         listing.id().toString(),
         Optional.empty(),
-        false);
+        false,
+        listing.attributes(RecruitmentAttributes.class).map(RecruitmentAttributes::held));
   }
 
   /** What is known of one whose proxy cannot be read here. */
@@ -81,7 +86,8 @@ public record ModuleView(
         Instant.now(),
         module.id(),
         Optional.of(module.reason()),
-        true);
+        true,
+        Optional.empty());
   }
 
   /** The same with the reason why it does not serve. */
@@ -99,7 +105,8 @@ public record ModuleView(
         confirmed,
         id,
         Optional.of(why),
-        refused);
+        refused,
+        held);
   }
 
   /** A sentence about one that cannot be used now; empty where it can be. */
@@ -110,6 +117,17 @@ public record ModuleView(
                 + (refused ? " cannot be used here: " : " is " + ModuleTable.state(this) + ": ")
                 + why
                 + (why.endsWith("?") ? "" : "."));
+  }
+
+  /** A sentence about a robot that is held; empty where this does not tell of one. */
+  Optional<String> hold() {
+    return held.map(
+        why ->
+            robot
+                + " is held and answers no call for help: "
+                + why
+                + ". When it may move: ./dfra recruit resume "
+                + robot);
   }
 
   /** {@code robot/name}. */

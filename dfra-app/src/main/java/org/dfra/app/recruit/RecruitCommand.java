@@ -5,8 +5,8 @@ import picocli.CommandLine.Command;
 /** {@code ./dfra recruit}: how robots ask each other for help. */
 @Command(
     name = "recruit",
-    description = "Judges how robots ask each other for help.",
+    description = "Shows which robots help, has held ones help again, and compares strategies.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {ExperimentCommand.class})
+    subcommands = {StatusCommand.class, ResumeCommand.class, ExperimentCommand.class})
 public final class RecruitCommand {}

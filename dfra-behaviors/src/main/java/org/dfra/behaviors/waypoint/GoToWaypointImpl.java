@@ -1,7 +1,10 @@
 package org.dfra.behaviors.waypoint;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.List;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behaviors.raster.Reach;
@@ -16,6 +19,7 @@ import org.dfra.flow.perceptual.RangeFilter;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.Leg;
 import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Drives along a line to its end by the schemas of its robot. Where it stands in one place too long
@@ -44,6 +48,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   private final Reach reach;
   private final int attempts;
   private final double overshoot;
+  private volatile @Nullable LegPursuit last; // that was made
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public GoToWaypointImpl(ModuleContext context) {
@@ -71,17 +76,34 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     reach.require(here, goal.to());
     GeoPosition from = goal.from() == null ? here : goal.from();
     reach.require(here, from);
-    return new LegPursuit(
-        new LegPursuit.Means(
-            heading::now,
-            room::now,
-            rules::now,
-            new Wheels(interlock()),
-            context().robotTime()::nanos,
-            attempts,
-            overshoot),
-        new Leg(from, goal.to()),
-        goal.tolerance(),
-        goal.limit());
+    LegPursuit made =
+        new LegPursuit(
+            new LegPursuit.Means(
+                heading::now,
+                room::now,
+                rules::now,
+                new Wheels(interlock()),
+                context().robotTime()::nanos,
+                attempts,
+                overshoot),
+            new Leg(from, goal.to()),
+            goal.tolerance(),
+            goal.limit());
+    last = made;
+    return made;
+  }
+
+  @Override
+  public void limit(UUID goal, Duration limit) {
+    if (limit.isNegative()) {
+      throw new IllegalArgumentException("time limit " + limit.toMillis() + " ms is below 0");
+    }
+    @Nullable LegPursuit pursued = last;
+    BehaviorStatus now = status();
+    if (pursued != last) { // another goal was begun between the two
+      limit(goal, limit);
+    } else if (pursued != null && now.phase().isUnderWay() && goal.equals(now.goal())) {
+      pursued.limit(limit);
+    }
   }
 }

@@ -50,7 +50,7 @@ final class LegPursuit implements Pursuit {
   private final Leg leg;
   private final double tolerance;
   private final long began; // nanoseconds of the robot's time
-  private final @Nullable Duration limit;
+  private volatile @Nullable Duration limit; // since it began
   private final StuckWatch watch = new StuckWatch(STANDING, NOWHERE);
   private @Nullable Senses senses;
   private @Nullable Recovery recovery;
@@ -71,10 +71,11 @@ final class LegPursuit implements Pursuit {
 
   @Override
   public Progress step() throws RemoteException, LeaseRefusedException {
-    if (limit != null && elapsed().compareTo(limit) >= 0) {
+    @Nullable Duration longest = limit;
+    if (longest != null && elapsed().compareTo(longest) >= 0) {
       return Progress.failed(
           String.format(
-              Locale.ROOT, "its time limit of %.1f s has passed", limit.toMillis() / 1000.0),
+              Locale.ROOT, "its time limit of %.1f s has passed", longest.toMillis() / 1000.0),
           share);
     }
     Senses by = senses();
@@ -106,6 +107,11 @@ final class LegPursuit implements Pursuit {
     means.wheels().turn(velocity(by.rules(), now, room, heading));
     share = done(heading);
     return Progress.going(doing(heading), share);
+  }
+
+  /** Another limit, from now on; by any thread. */
+  void limit(Duration left) {
+    limit = elapsed().plus(left);
   }
 
   private Duration elapsed() {

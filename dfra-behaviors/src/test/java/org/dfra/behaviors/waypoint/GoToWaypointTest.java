@@ -62,6 +62,26 @@ class GoToWaypointTest {
   }
 
   @Test
+  void drivesOnWithoutAStopWhereItIsGivenALongerTimeLimit() throws Exception {
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of());
+    UUID goal = goTo.pursue(TEN_METRES.within(Duration.ofSeconds(4)));
+    robot.time.step(3);
+    goTo.limit(UUID.randomUUID(), Duration.ofSeconds(100)); // another's
+    goTo.limit(goal, Duration.ofSeconds(4));
+    double before = robot.east;
+    for (int i = 0; i < 30; i++) {
+      robot.time.step(0.1);
+      assertThat(robot.drive.turning.speed()).as("metres per second").isGreaterThan(0.1);
+    }
+    assertThat(robot.east).isGreaterThan(before + 0.3);
+    assertThat(robot.reaches(goTo, Phase.FAILED, 1.5)).as("%s", goTo.status()).isTrue();
+    assertThat(goTo.status().doing()).isEqualTo("its time limit of 7.0 s has passed");
+    goTo.limit(goal, Duration.ofSeconds(4));
+    robot.time.step(1);
+    assertThat(goTo.status().phase()).as("what has ended stays so").isEqualTo(Phase.FAILED);
+  }
+
+  @Test
   void joinsTheLineThatItIsGiven() throws Exception {
     robot.north = -3;
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());

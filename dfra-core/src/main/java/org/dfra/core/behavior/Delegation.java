@@ -239,6 +239,32 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     return loss;
   }
 
+  /**
+   * Changes what is pursued, while it is.
+   *
+   * @param <B> the other's kind
+   */
+  @FunctionalInterface
+  public interface Adjustment<B> {
+    void of(B worker, UUID goal) throws RemoteException;
+  }
+
+  /**
+   * Has the other change what it pursues, without ending it.
+   *
+   * @return false where nothing is pursued for it
+   * @throws RemoteException if the other does not answer; it may have changed it nevertheless
+   */
+  public synchronized boolean adjust(Adjustment<? super B> change) throws RemoteException {
+    @Nullable B by = worker;
+    @Nullable UUID wanted = goal;
+    if (by == null || wanted == null) {
+      return false;
+    }
+    change.of(by, wanted);
+    return true;
+  }
+
   /** The other has ended it. */
   public synchronized void forget() {
     goal = null;

@@ -124,6 +124,11 @@ class HeldGoalTest {
     obstacle = null;
     walker.resume();
     assertThat(status().heldSince()).isNull();
+    obstacle = new DelegateHeldException("its leg was stopped");
+    await().until(() -> status().phase() == Phase.PAUSED);
+    assertThat(status().heldSince()).isNotNull();
+    obstacle = null;
+    walker.resume();
     obstacle = new StoppedCommandException("it is stopped");
     await().until(() -> status().phase() == Phase.CANCELLED);
     assertThat(status().heldSince()).isNotNull();

@@ -59,6 +59,14 @@ public interface Body {
    */
   void go(HelpCall call, long leaseEnd, Journey journey);
 
+  /**
+   * Its lease of the task ends at another time than was said to {@link #go}. It goes on without a
+   * stop. Does nothing where it is not on its way.
+   *
+   * @param leaseEnd when it ends now, as there
+   */
+  void extend(long leaseEnd);
+
   /** Observes what it was called for; it is there. */
   void observe(HelpCall call);
 

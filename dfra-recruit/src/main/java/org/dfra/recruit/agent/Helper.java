@@ -173,6 +173,8 @@ final class Helper implements Judge {
       send.accept(one.robot(), one.message());
     } else if (action instanceof ResponderAction.Go go) {
       setOut(go.call(), go.until());
+    } else if (action instanceof ResponderAction.Extend extend) {
+      ports.body().extend(nanos(extend.until()));
     } else if (action instanceof ResponderAction.Observe observe) {
       ports.body().observe(observe.call());
     } else if (action instanceof ResponderAction.Resume resume) {

@@ -175,6 +175,11 @@ final class RobotBody implements Body, AutoCloseable {
         });
   }
 
+  @Override
+  public void extend(long leaseEnd) {
+    errands.now(() -> trip.extend(leaseEnd));
+  }
+
   /** It stands where it is: its sensors see what is there. */
   @Override
   public void observe(HelpCall call) {

@@ -82,6 +82,7 @@ final class Trip {
   private volatile @Nullable UUID last; // what it began last
   private @Nullable Journey journey;
   private long leaseEnd; // of the journey, nanoseconds
+  private boolean isExtended; // and what drives does not know that yet
   private @Nullable LegGoal aim; // of the last journey
   private Instant asked = Instant.EPOCH; // for that
   private @Nullable Begun inherited; // until it is known whether that is still under way
@@ -182,6 +183,7 @@ final class Trip {
             : context.clock().instant();
     aim = goal;
     leaseEnd = end;
+    isExtended = false;
     journey = told;
     look(goal, told);
   }
@@ -206,6 +208,8 @@ final class Trip {
         return;
       } else if (status.isEmpty()) {
         begun(goal, of);
+      } else if (isExtended) {
+        limit();
       }
     } catch (RemoteException | NotReadyException e) {
       log.info("{}: it waits: {}", path, e.toString());
@@ -286,6 +290,7 @@ final class Trip {
     }
     try {
       travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
+      isExtended = false;
       travel.goal().ifPresent(this::noted);
       travel.goal().ifPresent(name -> keep(new Begun(name, goal.to().toString(), asked).text()));
     } catch (DelegateHeldException e) {
@@ -302,6 +307,27 @@ final class Trip {
 
   private void noted(UUID goal) {
     last = goal;
+  }
+
+  /** Its lease of the task ends at another time; what drives goes on without a stop. */
+  void extend(long end) {
+    if (journey == null) {
+      return;
+    }
+    leaseEnd = end;
+    isExtended = true;
+    try {
+      limit();
+    } catch (RemoteException | NotReadyException e) { // the next look tries again
+      log.info("{}: what drives it does not know its longer lease yet: {}", path, e.toString());
+    }
+  }
+
+  private void limit() throws RemoteException {
+    Duration left = Duration.ofNanos(Math.max(0, leaseEnd - time.nanos()));
+    if (leaseEnd != Long.MAX_VALUE && travel.adjust((by, goal) -> by.limit(goal, left))) {
+      isExtended = false;
+    }
   }
 
   /** Where it has, the agent is told. */

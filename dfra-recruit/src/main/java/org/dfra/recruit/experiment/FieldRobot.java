@@ -39,6 +39,7 @@ final class FieldRobot implements Body {
   private double since; // seconds: when it began to drive, or to follow the route
   private double lasts; // seconds that the drive takes
   private Scheduler.@Nullable Task journey;
+  private long leaseEnd; // of the task that it drives for, nanoseconds
   private int drives; // so far; the number of the one under way
   private boolean isAlive = true;
   private double travelled;
@@ -137,14 +138,27 @@ final class FieldRobot implements Body {
   public synchronized void go(HelpCall call, long leaseEnd, Journey told) {
     leaveRoute();
     drive(Field.toField(call.place()), number -> told.arrived());
-    int number = drives;
+    extend(leaseEnd);
+    awaitLeaseEnd(drives, told);
+  }
+
+  private void awaitLeaseEnd(int number, Journey told) {
     Scheduler.Task unused = time.after(leaseEnd - time.nanos(), () -> overdue(number, told));
+  }
+
+  @Override
+  public synchronized void extend(long end) {
+    leaseEnd = end;
   }
 
   /** The lease of a task that it still drives for is over. */
   private void overdue(int number, Journey told) {
     synchronized (this) {
       if (!isUnderWay(number) || journey == null) {
+        return;
+      }
+      if (time.nanos() < leaseEnd) { // it was extended
+        awaitLeaseEnd(number, told);
         return;
       }
       stand();

@@ -18,6 +18,13 @@ public sealed interface ResponderAction {
    */
   record Go(HelpCall call, Instant until) implements ResponderAction {}
 
+  /**
+   * Goes on to the place of the call, and has longer to get there.
+   *
+   * @param until when its lease of the task ends now
+   */
+  record Extend(Instant until) implements ResponderAction {}
+
   /** Is there and observes. */
   record Observe(HelpCall call) implements ResponderAction {}
 

@@ -23,6 +23,7 @@ import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
 import org.dfra.recruit.responder.Judge.Offer;
 import org.dfra.recruit.responder.ResponderAction.Atone;
 import org.dfra.recruit.responder.ResponderAction.EndLease;
+import org.dfra.recruit.responder.ResponderAction.Extend;
 import org.dfra.recruit.responder.ResponderAction.Go;
 import org.dfra.recruit.responder.ResponderAction.Observe;
 import org.dfra.recruit.responder.ResponderAction.Relieve;
@@ -179,7 +180,9 @@ public final class ResponderMachine {
     return switch (state.phase()) {
       case OFFERED -> setOut(state, promise, now);
       case TRAVELLING ->
-          Step.none(promise.isAfter(state.until()) ? state.prolonged(promise) : state);
+          promise.isAfter(state.until())
+              ? new Step<>(state.prolonged(promise), List.of(new Extend(promise)))
+              : Step.none(state);
       default -> Step.none(state);
     };
   }

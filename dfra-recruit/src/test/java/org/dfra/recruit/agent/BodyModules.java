@@ -254,8 +254,19 @@ final class BodyModules implements AutoCloseable {
 
   /** Drives, as far as its client can tell. */
   static final class Driver extends Told<LegGoal> implements GoToWaypoint {
+
+    /** The last limit that it was given on the way. */
+    volatile @Nullable Duration limit;
+
     Driver(ModuleContext context) {
       super(context, LegGoal.class);
+    }
+
+    @Override
+    public void limit(UUID wanted, Duration within) {
+      if (wanted.equals(status().goal())) {
+        limit = within;
+      }
     }
   }
 

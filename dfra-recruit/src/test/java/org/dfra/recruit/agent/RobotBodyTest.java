@@ -69,6 +69,20 @@ class RobotBodyTest extends BodyFixture {
     assertThat(goal.limit()).isBetween(Duration.ofSeconds(18), Duration.ofSeconds(20));
   }
 
+  @Test
+  void aLongerLeaseOfTheTaskReachesWhatDrivesWithoutAStop() {
+    body.go(CALL, modules.time.nanos() + 20_000_000_000L, journey);
+    modules.step(1);
+    UUID leg = Objects.requireNonNull(driver.status().goal());
+    body.extend(modules.time.nanos() + 60_000_000_000L);
+    modules.step(0.1);
+    assertThat(driver.limit).isBetween(Duration.ofSeconds(59), Duration.ofSeconds(60));
+    modules.step(30);
+    assertThat(driver.status().goal()).as("the same leg").isEqualTo(leg);
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(told).isEmpty();
+  }
+
   /** As that of a process that was suspended. */
   @Test
   void onceItsLeaseOfTheTaskIsOverItDoesNotBeginToMove() {

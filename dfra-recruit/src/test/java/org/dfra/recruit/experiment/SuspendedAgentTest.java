@@ -271,6 +271,11 @@ class SuspendedAgentTest {
       }
 
       @Override
+      public void extend(long leaseEnd) {
+        body.extend(leaseEnd);
+      }
+
+      @Override
       public void observe(HelpCall call) {
         body.observe(call);
       }

@@ -1,5 +1,7 @@
 package org.dfra.river.proxy.behavior;
 
+import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.UUID;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
@@ -16,5 +18,10 @@ public final class GoToWaypointProxy extends BehaviorProxy<LegGoal, GoToWaypoint
   /** See {@link ModuleProxy#ModuleProxy}. */
   public GoToWaypointProxy(RemoteModule server, UUID id, Identification identification) {
     super(GoToWaypoint.class, server, id, identification);
+  }
+
+  @Override
+  public void limit(UUID goal, Duration limit) throws RemoteException {
+    target().limit(goal, limit);
   }
 }

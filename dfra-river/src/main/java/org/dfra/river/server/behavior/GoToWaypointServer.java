@@ -1,7 +1,10 @@
 package org.dfra.river.server.behavior;
 
 import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
+import java.time.Duration;
+import java.util.UUID;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
 import org.dfra.river.remote.behavior.RemoteGoToWaypoint;
@@ -17,5 +20,10 @@ public final class GoToWaypointServer extends BehaviorServer<LegGoal, GoToWaypoi
   public GoToWaypointServer(@Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
     super(GoToWaypoint.class, id, data);
+  }
+
+  @Override
+  public void limit(UUID goal, Duration limit) throws RemoteException {
+    module().limit(goal, limit);
   }
 }

@@ -1,0 +1,101 @@
+package org.dfra.app.recruit;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.dfra.agent.Recruiting;
+import org.dfra.app.team.Namesakes;
+import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import picocli.CommandLine.Mixin;
+
+/** The recruitment agents of a team, and where they are looked for. A picocli mix-in. */
+final class Agents {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  /** What is asked of each. */
+  @FunctionalInterface
+  interface Request {
+    void to(Recruiting agent) throws RemoteException;
+  }
+
+  /**
+   * Asks it of the agents of these robots, or of all, then shows what they are doing.
+   *
+   * @param wanted robots; all where there is none
+   * @return what those say that answer
+   * @throws CommandFailure if there is none, or one that was named is not there
+   */
+  Answers ask(List<String> wanted, Request request) throws IOException, InterruptedException {
+    List<AgentView> views = new ArrayList<>();
+    boolean isComplete = true;
+    try (Team team = options.open()) {
+      for (ModuleListing<Recruiting> each : in(team, wanted)) {
+        try {
+          request.to(each.module());
+          views.add(AgentView.of(each));
+        } catch (RemoteException e) {
+          isComplete = false;
+          options.answer().remark(each.path() + " does not answer: " + e.getMessage());
+        }
+      }
+    }
+    AgentView.show(options.answer(), views);
+    return new Answers(views, isComplete);
+  }
+
+  /**
+   * What the agents say.
+   *
+   * @param views of those that answer
+   * @param isComplete whether all do
+   */
+  record Answers(List<AgentView> views, boolean isComplete) {
+
+    /** The exit code, unless something else is wrong. */
+    int code() {
+      return isComplete ? ExitCode.WELL : ExitCode.NO_ANSWER;
+    }
+  }
+
+  private static List<ModuleListing<Recruiting>> in(Team team, List<String> wanted)
+      throws InterruptedException {
+    ModuleDirectory directory = team.surveyed();
+    ModuleQuery<Recruiting> any = ModuleQuery.of(Recruiting.class);
+    List<ModuleListing<Recruiting>> found = new ArrayList<>();
+    if (wanted.isEmpty()) {
+      found.addAll(directory.find(any));
+      found.sort(Comparator.comparing(ModuleListing::path));
+      if (found.isEmpty()) {
+        throw new CommandFailure(
+            ExitCode.NOT_FOUND,
+            "no robot that answers has a recruitment agent; ./dfra persona list shows the robots,"
+                + " or wait longer for answers: --wait 10");
+      }
+    }
+    for (String robot : wanted) {
+      found.add(
+          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
+              .findFirst()
+              .orElseThrow(
+                  () ->
+                      new CommandFailure(
+                          ExitCode.NOT_FOUND,
+                          "robot "
+                              + robot
+                              + " has no recruitment agent, or is not there; ./dfra persona list"
+                              + " shows the robots")));
+    }
+    return found;
+  }
+}
