@@ -17,10 +17,8 @@ import java.rmi.server.UID;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.LongSummaryStatistics;
 import java.util.Map;
 import java.util.Objects;
-import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -353,25 +351,19 @@ final class Daemon {
   }
 
   /**
-   * How long the modules of a group had been ready in an incarnation. Those that are marked to be
+   * Whether the modules of a group had worked in an incarnation. Those that are marked to be
    * restarted count, each of them; where none is, those that were activated.
-   *
-   * @return zero where one of them was not ready, or none was
    */
-  Duration worked(Group group, long incarnation) {
+  boolean hadWorked(Group group, long incarnation) {
     List<ActivatableObject> all =
         objects.values().stream().filter(each -> each.group == group).toList();
-    boolean marked = all.stream().anyMatch(each -> each.desc().getRestartMode());
-    LongSummaryStatistics since = new LongSummaryStatistics();
-    for (ActivatableObject each : all) {
-      OptionalLong ready = each.readySince(incarnation);
-      if (ready.isPresent()) {
-        since.accept(time.nanos() - ready.getAsLong());
-      } else if (marked && each.desc().getRestartMode()) {
-        return Duration.ZERO;
-      }
-    }
-    return since.getCount() == 0 ? Duration.ZERO : Duration.ofNanos(since.getMin());
+    List<ActivatableObject> marked =
+        all.stream().filter(each -> each.desc().getRestartMode()).toList();
+    List<ActivatableObject> counted =
+        marked.isEmpty()
+            ? all.stream().filter(each -> each.wasActive(incarnation)).toList()
+            : marked;
+    return !counted.isEmpty() && counted.stream().allMatch(each -> each.worked(incarnation));
   }
 
   /** Runs a task after a delay, on the timer's thread. */

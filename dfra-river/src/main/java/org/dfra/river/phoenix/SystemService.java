@@ -127,10 +127,16 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   }
 
   @Override
-  public void ready(ActivationID id, long incarnation)
+  public long workedMillis() throws RemoteException {
+    admit("workedMillis");
+    return daemon.configuration().restartPolicy().worked().toMillis();
+  }
+
+  @Override
+  public void worked(ActivationID id, long incarnation)
       throws UnknownObjectException, RemoteException {
-    admit("ready");
-    ActivatorService.object(daemon, id).ready(incarnation, daemon.time().nanos());
+    admit("worked");
+    ActivatorService.object(daemon, id).hasWorked(incarnation);
   }
 
   @Override
