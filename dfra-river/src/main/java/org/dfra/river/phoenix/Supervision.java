@@ -51,7 +51,7 @@ final class Supervision {
     LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isPresent()) {
-      daemon.restartLater(group, delay.get());
+      daemon.restarts().later(group, delay.get());
     } else {
       LOG.error(
           "Group {} crashed {} times within {} s: it is left alone until {} and then started by"
