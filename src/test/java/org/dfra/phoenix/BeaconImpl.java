@@ -11,7 +11,9 @@ import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.activation.ActivationGroup;
 import java.rmi.activation.ActivationID;
+import java.time.Duration;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -22,23 +24,30 @@ import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.ResurrectingExporter;
+import org.dfra.river.phoenix.ReadinessSource;
 
 /**
  * A beacon under phoenix. Its data is a text, {@code mode device}:
  *
  * <ul>
  *   <li>mode {@code ok}; {@code throws} or {@code halts} in the constructor; {@code slow} in it,
- *       until there is a file {@code device.go}; {@code river} uses River's own exporter
+ *       until there is a file {@code device.go}; {@code river} uses River's own exporter; {@code
+ *       brief} is ready for 0.2 s, and halts 1.5 s after it was made; {@code steady} only halts so
  *   <li>device: a file that one process at a time can own, as a serial port is. A second owner
  *       writes {@code CONFLICT} into {@code device.log}: the ground truth for "never two of one
  *       group", whatever phoenix believes.
  * </ul>
  */
-public class BeaconImpl implements Beacon, ProxyAccessor {
+public class BeaconImpl implements Beacon, ProxyAccessor, ReadinessSource {
 
   private static final AtomicInteger INSTANCES = new AtomicInteger();
   private static final Map<String, FileChannel> DEVICES = new ConcurrentHashMap<>();
 
+  private static final Duration BRIEF = Duration.ofMillis(200);
+  private static final Duration LIFE = Duration.ofMillis(1500);
+
+  private final long made = System.nanoTime();
+  private final boolean isBrief;
   private final ActivationID id;
   private final Exporter exporter;
   private final Remote proxy;
@@ -48,12 +57,16 @@ public class BeaconImpl implements Beacon, ProxyAccessor {
   BeaconImpl(ActivationID id, MarshalledObject<String> data) throws Exception {
     this.id = id;
     String[] words = data == null ? new String[] {"ok"} : data.get().split(" ", 2);
+    isBrief = words[0].equals("brief");
     if (words.length > 1) {
       DEVICES.computeIfAbsent(words[1], BeaconImpl::own);
     }
     switch (words[0]) {
       case "throws" -> throw new IllegalStateException("the receiver is not plugged in");
       case "halts" -> Runtime.getRuntime().halt(77);
+      case "brief", "steady" ->
+          CompletableFuture.delayedExecutor(LIFE.toMillis(), TimeUnit.MILLISECONDS)
+              .execute(() -> Runtime.getRuntime().halt(77));
       case "slow" -> awaitFile(Path.of(words[1] + ".go"));
       default -> {}
     }
@@ -84,6 +97,11 @@ public class BeaconImpl implements Beacon, ProxyAccessor {
     } catch (IOException e) {
       throw new java.io.UncheckedIOException(e);
     }
+  }
+
+  @Override
+  public boolean isReady() {
+    return !isBrief || System.nanoTime() - made < BRIEF.toNanos();
   }
 
   @Override

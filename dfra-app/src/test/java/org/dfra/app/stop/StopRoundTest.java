@@ -148,4 +148,45 @@ class StopRoundTest {
         .isEqualTo("a/b: was not stopped.");
     assertThat(Outcome.ofRelease("a/b", "ops", STOPPED).result()).isEqualTo(Result.NOT_RELEASED);
   }
+
+  @Test
+  void aSearchThatIsNotAnsweredHoldsUpNobodyWhoIsListed() throws Exception {
+    round.findLocal(
+        () -> {
+          try {
+            end.await();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        });
+    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+  }
+
+  @Test
+  void whatASearchFindsIsWaitedForAndAFaultOfItIsReported() {
+    round.findLocal(() -> round.callLocal("atrv1/drive", () -> stopped("atrv1/drive")));
+    round.findLocal(
+        () -> {
+          throw new IllegalStateException("a fault");
+        });
+    assertThat(round.outcomes())
+        .containsExactlyInAnyOrder(
+            stopped("atrv1/drive"),
+            new Outcome("the effectors of this host", Result.NOT_STOPPED, null, null, "a fault"));
+  }
+
+  @Test
+  void ofSeveralOfOneNameEachHasToStop() {
+    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callLocal("atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callLocal(
+        "atrv1/drive",
+        () -> {
+          throw new ConnectException("its process hangs");
+        });
+    assertThat(round.outcomes())
+        .extracting(each -> each.result().isWell())
+        .containsExactly(true, true, false);
+  }
 }

@@ -12,7 +12,6 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
 import java.rmi.server.UID;
 import java.time.Duration;
-import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.river.phoenix.Group.Maker;
@@ -36,16 +35,13 @@ final class ActivatableObject {
   private final ReentrantLock lock = new ReentrantLock();
   private volatile ActivationDesc desc;
   private volatile @Nullable Known known;
-  private volatile @Nullable Ready ready;
   private volatile long inactiveIn = NEVER; // the incarnation that said so last
   private volatile long madeIn = NEVER; // the incarnation that was asked for it last, and may
+  private volatile long workedIn = NEVER;
   private volatile boolean retired;
 
   /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
   private record Known(MarshalledObject<? extends Remote> proxy, long incarnation) {}
-
-  /** Since when it is ready in an incarnation of its group. */
-  private record Ready(long incarnation, long nanos) {}
 
   ActivatableObject(UID uid, Group group, ActivationDesc desc) {
     this.uid = uid;
@@ -161,17 +157,20 @@ final class ActivatableObject {
     known = null;
   }
 
-  /** It is ready, in an incarnation of its group, since a monotonic time in nanoseconds. */
-  void ready(long incarnation, long nanos) {
-    ready = new Ready(incarnation, nanos);
+  /** It has been ready in an incarnation of its group for as long as the restart policy wants. */
+  void hasWorked(long incarnation) {
+    workedIn = incarnation;
   }
 
-  /** Since when it is ready in an incarnation of its group; nothing where it never was. */
-  OptionalLong readySince(long incarnation) {
-    @Nullable Ready now = ready;
-    return now != null && now.incarnation() == incarnation
-        ? OptionalLong.of(now.nanos())
-        : OptionalLong.empty();
+  /** Whether it has {@link #hasWorked worked} in an incarnation of its group. */
+  boolean worked(long incarnation) {
+    return workedIn == incarnation;
+  }
+
+  /** Whether it was active in an incarnation of its group, at last. */
+  boolean wasActive(long incarnation) {
+    @Nullable Known now = known;
+    return now != null && now.incarnation() == incarnation;
   }
 
   /**

@@ -26,7 +26,7 @@ final class ActivatorService implements Activator {
 
   /** The object of an ID, where the ID is one of this daemon's. */
   static ActivatableObject object(Daemon daemon, ActivationID id) throws UnknownObjectException {
-    return daemon.object(uid(id));
+    return daemon.registered().object(uid(id));
   }
 
   /** The identity within this daemon that an ID stands for. */

@@ -38,12 +38,12 @@ final class CrashHistory {
    * Notes a crash.
    *
    * @param how the group ended, as the rest of a sentence
-   * @param worked how long the group's modules had been ready; zero where they were not
+   * @param worked whether the group's modules had been ready for as long as the policy wants
    */
-  void crashed(String how, Duration worked) {
+  void crashed(String how, boolean worked) {
     long now = nanos.getAsLong();
     forgetOld(now);
-    lastWorked = worked.compareTo(policy.worked()) >= 0;
+    lastWorked = worked;
     recent.addLast(new Crash(now, !lastWorked));
     total++;
     last = how;

@@ -298,7 +298,7 @@ final class Group {
   private void ended(String how) {
     boolean announced = current.state() == State.LEAVING;
     endTurn();
-    Duration worked = daemon.worked(this, current.number());
+    boolean worked = daemon.restarts().hadWorked(this, current.number());
     current.ended();
     changed.signalAll();
     supervision.ended(how, announced, worked);

@@ -48,7 +48,7 @@ final class Launcher {
     try {
       daemon.requireRunning();
       journal.commit(new Change.Launching(group.id, incarnation));
-      ActivationGroupDesc desc = withDefaults(daemon.groupDesc(group.id));
+      ActivationGroupDesc desc = withDefaults(daemon.registered().groupDesc(group.id));
       Process process =
           GroupProcess.start(journal.<UUID>read(r -> r.daemon), group.name, desc, configuration);
       try {
@@ -57,7 +57,9 @@ final class Launcher {
         group.launched(identity);
         handedOver = true;
         daemon.watch(group, identity, process);
-        daemon.after(configuration.groupTimeout(), () -> group.endUnlessReported(identity));
+        daemon
+            .threads()
+            .after(configuration.groupTimeout(), () -> group.endUnlessReported(identity));
         GroupProcess.feed(process, group.id, desc, incarnation);
       } catch (IOException e) {
         LOG.debug("Group {} ended before it could be told what it is.", group.name, e);

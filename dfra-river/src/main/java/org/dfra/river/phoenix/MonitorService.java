@@ -23,7 +23,7 @@ final class MonitorService implements ActivationMonitor {
   @Override
   public void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException {
     access.check("inactiveObject");
-    daemon.inactive(ActivatorService.uid(id));
+    daemon.registered().inactive(ActivatorService.uid(id));
   }
 
   @Override
@@ -37,6 +37,6 @@ final class MonitorService implements ActivationMonitor {
   public void inactiveGroup(ActivationGroupID id, long incarnation)
       throws UnknownGroupException, RemoteException {
     access.check("inactiveGroup");
-    daemon.group(id).leaves(incarnation);
+    daemon.registered().group(id).leaves(incarnation);
   }
 }

@@ -149,7 +149,7 @@ public final class Phoenix implements AutoCloseable {
       open.rebind(SYSTEM_NAME, system);
     }
     daemon.open();
-    LOG.info("Phoenix is ready: {} groups.", daemon.status().size());
+    LOG.info("Phoenix is ready: {} groups.", daemon.registered().status().size());
   }
 
   /** Undoes a start that failed; groups that were found alive stay so. */

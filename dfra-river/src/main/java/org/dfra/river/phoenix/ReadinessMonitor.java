@@ -6,16 +6,20 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
 
 /**
- * What phoenix's groups report beyond what {@code java.rmi.activation} has them report: how far
- * their objects got. Phoenix's system proxy implements it.
+ * What phoenix's groups report beyond what {@code java.rmi.activation} has them report: which of
+ * their objects have worked. Phoenix's system proxy implements it.
  */
 public interface ReadinessMonitor extends Remote {
 
+  /** How long an object has to be ready without interruption until it has worked, in ms. */
+  long workedMillis() throws RemoteException;
+
   /**
-   * An object is ready for the first time in its group's present life.
+   * An object has been ready for {@link #workedMillis} without interruption, in its group's present
+   * life. Whatever becomes of it in that life, it has worked.
    *
    * @param incarnation the number given to the group's process when it was started
    * @throws UnknownObjectException if it is not registered, or not any more
    */
-  void ready(ActivationID id, long incarnation) throws UnknownObjectException, RemoteException;
+  void worked(ActivationID id, long incarnation) throws UnknownObjectException, RemoteException;
 }

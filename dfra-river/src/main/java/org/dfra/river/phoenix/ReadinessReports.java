@@ -8,16 +8,19 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import net.jini.activation.ActivationGroup;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reports to the daemon when an object of this group is ready for the first time, so that it knows
- * a module that worked and died from one that dies before it is of any use.
+ * Reports to the daemon when an object of this group has worked: when it has been ready for as long
+ * as the daemon's restart policy wants, without interruption. So the daemon knows a module that
+ * worked and died from one that dies before it is of any use, and from one that was ready for a
+ * moment and failed. Readiness is sampled: an interruption shorter than 0.1 s may pass unseen.
  *
- * <p>Thread: one daemon, {@code group-readiness}, which runs while an object is not ready yet. A
+ * <p>Thread: one daemon, {@code group-readiness}, which runs while an object has not worked yet. A
  * report that cannot be made is made again a second later: phoenix may be starting anew.
  */
 final class ReadinessReports {
@@ -27,12 +30,60 @@ final class ReadinessReports {
   private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
   private static final long AGAIN_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-  private final Map<ActivationID, BooleanSupplier> awaited = new ConcurrentHashMap<>();
+  /** Whom to report to. */
+  interface Source {
+    /** The monitor; null where the activation system is none. */
+    @Nullable ReadinessMonitor monitor() throws ActivationException;
+  }
+
+  private final Source source;
+  private final LongSupplier nanos;
+  private final Map<ActivationID, Awaited> awaited = new ConcurrentHashMap<>();
   private @Nullable Thread thread; // guarded by this
+
+  /** Reports of this virtual machine's group. */
+  ReadinessReports() {
+    this(
+        () -> ActivationGroup.getSystem() instanceof ReadinessMonitor monitor ? monitor : null,
+        System::nanoTime);
+  }
+
+  /**
+   * @param nanos monotonic time in nanoseconds
+   */
+  ReadinessReports(Source source, LongSupplier nanos) {
+    this.source = source;
+    this.nanos = nanos;
+  }
+
+  /** An object that has not worked yet. Its fields are confined to whoever looks. */
+  private static final class Awaited {
+    private final BooleanSupplier isReady;
+    private boolean wasReady;
+    private long since; // nanos; means nothing unless wasReady
+
+    Awaited(BooleanSupplier isReady) {
+      this.isReady = isReady;
+    }
+
+    /** For how long it has been ready without interruption, in nanoseconds; −1 where it is not. */
+    long readyFor(long now) {
+      boolean isReadyNow = isReady.getAsBoolean();
+      if (isReadyNow && !wasReady) {
+        since = now;
+      }
+      wasReady = isReadyNow;
+      return isReadyNow ? now - since : -1;
+    }
+
+    void lost() {
+      wasReady = false;
+    }
+  }
 
   /** An object was made. */
   void made(ActivationID id, Object object) {
-    awaited.put(id, object instanceof ReadinessSource source ? source::isReady : () -> true);
+    awaits(id, object instanceof ReadinessSource source ? source::isReady : () -> true);
     synchronized (this) {
       if (thread == null) {
         thread = new Thread(this::run, "group-readiness");
@@ -48,6 +99,11 @@ final class ReadinessReports {
     }
   }
 
+  /** An object that was made is looked at from now on. */
+  void awaits(ActivationID id, BooleanSupplier isReady) {
+    awaited.put(id, new Awaited(isReady));
+  }
+
   /** An object is active no longer. */
   void inactive(ActivationID id) {
     awaited.remove(id);
@@ -55,22 +111,7 @@ final class ReadinessReports {
 
   private void run() {
     while (!isOver()) {
-      boolean all = true;
-      for (Map.Entry<ActivationID, BooleanSupplier> each : awaited.entrySet()) {
-        if (isReady(each)) {
-          all &= report(each.getKey());
-        }
-      }
-      LockSupport.parkNanos(this, all ? LOOK_NANOS : AGAIN_NANOS);
-    }
-  }
-
-  private static boolean isReady(Map.Entry<ActivationID, BooleanSupplier> object) {
-    try {
-      return object.getValue().getAsBoolean();
-    } catch (RuntimeException e) { // a driver's own; the others are reported all the same
-      LOG.debug("It is not known whether {} is ready.", object.getKey(), e);
-      return false;
+      LockSupport.parkNanos(this, look() ? LOOK_NANOS : AGAIN_NANOS);
     }
   }
 
@@ -81,19 +122,45 @@ final class ReadinessReports {
     return thread == null;
   }
 
-  /** Whether nothing is to be done again. */
-  private boolean report(ActivationID id) {
+  /** Looks at each object once, and reports those that have worked; false where one failed. */
+  boolean look() {
+    boolean all = true;
+    for (Map.Entry<ActivationID, Awaited> each : awaited.entrySet()) {
+      long readyFor = readyFor(each.getKey(), each.getValue());
+      if (readyFor >= 0) {
+        all &= report(each.getKey(), each.getValue(), readyFor);
+      }
+    }
+    return all;
+  }
+
+  private long readyFor(ActivationID id, Awaited object) {
     try {
-      if (ActivationGroup.getSystem() instanceof ReadinessMonitor monitor) {
-        monitor.ready(id, GroupVm.incarnation());
+      return object.readyFor(nanos.getAsLong());
+    } catch (RuntimeException e) { // a driver's own; the others are reported all the same
+      LOG.debug("It is not known whether {} is ready.", id, e);
+      object.lost();
+      return -1;
+    }
+  }
+
+  /** Whether nothing is to be done again. */
+  private boolean report(ActivationID id, Awaited object, long readyFor) {
+    try {
+      @Nullable ReadinessMonitor monitor = source.monitor();
+      if (monitor != null) {
+        if (readyFor < TimeUnit.MILLISECONDS.toNanos(monitor.workedMillis())) {
+          return true;
+        }
+        monitor.worked(id, GroupVm.incarnation());
       }
     } catch (RemoteException e) {
-      LOG.debug("The readiness of an object could not be reported; trying again.", e);
+      LOG.debug("That an object has worked could not be reported; trying again.", e);
       return false;
     } catch (ActivationException e) {
-      LOG.debug("An object that is ready is not registered any more.", e);
+      LOG.debug("An object that has worked is not registered any more.", e);
     }
-    awaited.remove(id);
+    boolean unused = awaited.remove(id, object);
     return true;
   }
 }

@@ -87,7 +87,9 @@ final class Recovery {
     if (record.leaving) {
       daemon.endLater(process);
     } else if (group.status(0).state() == GroupStatus.State.STARTING) {
-      daemon.after(daemon.configuration().groupTimeout(), () -> group.endUnlessReported(process));
+      daemon
+          .threads()
+          .after(daemon.configuration().groupTimeout(), () -> group.endUnlessReported(process));
     }
   }
 

@@ -5,18 +5,19 @@ import java.time.Duration;
 /**
  * When a crashed group is started again.
  *
- * <p>A group whose modules had been ready for {@code worked} or longer is started again at once,
- * and its crash does not count. Of the others the first one costs no delay. Each further one within
- * the window doubles the delay, from {@code firstDelay} up to {@code longestDelay}. At {@code
- * limit} such crashes within the window the group is held off: for {@code holdOff} nobody can start
- * it, and after that only a call does.
+ * <p>A group whose modules had been ready for {@code worked} without interruption is started again
+ * at once, and its crash does not count. Of the others the first one costs no delay. Each further
+ * one within the window doubles the delay, from {@code firstDelay} up to {@code longestDelay}. At
+ * {@code limit} such crashes within the window the group is held off: for {@code holdOff} nobody
+ * can start it, and after that only a call does.
  *
  * @param firstDelay delay after the second crash within the window
  * @param longestDelay bound of the doubling
  * @param limit crashes within the window that make a crash loop, at least 2
  * @param window how long a crash counts
  * @param holdOff how long a crash-looping group is left alone
- * @param worked how long its modules must have been ready for a crash not to count
+ * @param worked how long its modules must have been ready without interruption for a crash not to
+ *     count
  */
 record RestartPolicy(
     Duration firstDelay,

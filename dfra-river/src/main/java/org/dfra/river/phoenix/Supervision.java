@@ -39,9 +39,9 @@ final class Supervision {
    *
    * @param how it ended, as the rest of a sentence that begins with the group's name
    * @param announced whether the process had said that it would
-   * @param worked how long its modules had been ready; zero where they were not
+   * @param worked whether its modules had worked in it
    */
-  void ended(String how, boolean announced, Duration worked) {
+  void ended(String how, boolean announced, boolean worked) {
     lastFailure = how + "; see " + daemon.output(group.name) + " and the .vm.log beside it";
     if (announced || forgotten || !daemon.isRunning()) {
       LOG.info("Group {} {}.", group.name, how);
@@ -51,7 +51,7 @@ final class Supervision {
     LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isPresent()) {
-      daemon.restartLater(group, delay.get());
+      daemon.restarts().later(group, delay.get());
     } else {
       LOG.error(
           "Group {} crashed {} times within {} s: it is left alone until {} and then started by"

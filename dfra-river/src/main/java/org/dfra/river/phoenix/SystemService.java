@@ -48,26 +48,27 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   @Override
   public ActivationGroupID registerGroup(ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
-    return daemon.registerGroup(new ActivationGroupID(admit("registerGroup")), desc);
+    ActivationSystem itself = admit("registerGroup");
+    return daemon.registered().registerGroup(new ActivationGroupID(itself), desc);
   }
 
   @Override
   public ActivationID registerObject(ActivationDesc desc)
       throws ActivationException, RemoteException {
     admit("registerObject");
-    return daemon.activationID(daemon.registerObject(desc));
+    return daemon.registered().activationID(daemon.registered().registerObject(desc));
   }
 
   @Override
   public void unregisterObject(ActivationID id) throws ActivationException, RemoteException {
     admit("unregisterObject");
-    daemon.unregisterObject(ActivatorService.object(daemon, id).uid);
+    daemon.registered().unregisterObject(ActivatorService.object(daemon, id).uid);
   }
 
   @Override
   public void unregisterGroup(ActivationGroupID id) throws ActivationException, RemoteException {
     admit("unregisterGroup");
-    daemon.unregisterGroup(id);
+    daemon.registered().unregisterGroup(id);
   }
 
   @Override
@@ -75,7 +76,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
       ActivationGroupID id, ActivationInstantiator group, long incarnation)
       throws ActivationException, RemoteException {
     admit("activeGroup");
-    daemon.group(id).reported(daemon.prepared(group), incarnation);
+    daemon.registered().group(id).reported(daemon.prepared(group), incarnation);
     return monitor.join();
   }
 
@@ -83,14 +84,14 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public ActivationDesc setActivationDesc(ActivationID id, ActivationDesc desc)
       throws ActivationException, RemoteException {
     admit("setActivationDesc");
-    return daemon.describeObject(ActivatorService.object(daemon, id).uid, desc);
+    return daemon.registered().describeObject(ActivatorService.object(daemon, id).uid, desc);
   }
 
   @Override
   public ActivationGroupDesc setActivationGroupDesc(ActivationGroupID id, ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
     admit("setActivationGroupDesc");
-    return daemon.describeGroup(id, desc);
+    return daemon.registered().describeGroup(id, desc);
   }
 
   @Override
@@ -104,7 +105,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public ActivationGroupDesc getActivationGroupDesc(ActivationGroupID id)
       throws ActivationException, RemoteException {
     admit("getActivationGroupDesc");
-    return daemon.groupDesc(id);
+    return daemon.registered().groupDesc(id);
   }
 
   @Override
@@ -116,34 +117,40 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   @Override
   public Map<ActivationGroupID, ActivationGroupDesc> getActivationGroups() throws RemoteException {
     admit("getActivationGroups");
-    return daemon.groupDescs();
+    return daemon.registered().groupDescs();
   }
 
   @Override
   public Map<ActivationID, ActivationDesc> getActivatableObjects(ActivationGroupID id)
       throws java.rmi.activation.UnknownGroupException, RemoteException {
     admit("getActivatableObjects");
-    return daemon.objectDescs(id);
+    return daemon.registered().objectDescs(id);
   }
 
   @Override
-  public void ready(ActivationID id, long incarnation)
+  public long workedMillis() throws RemoteException {
+    admit("workedMillis");
+    return daemon.configuration().restartPolicy().worked().toMillis();
+  }
+
+  @Override
+  public void worked(ActivationID id, long incarnation)
       throws UnknownObjectException, RemoteException {
-    admit("ready");
-    ActivatorService.object(daemon, id).ready(incarnation, daemon.time().nanos());
+    admit("worked");
+    ActivatorService.object(daemon, id).hasWorked(incarnation);
   }
 
   @Override
   public List<GroupStatus> groupStatus() throws RemoteException {
     admit("groupStatus");
-    return daemon.status();
+    return daemon.registered().status();
   }
 
   @Override
   public List<ActivationID> activeObjects(ActivationGroupID id)
       throws ActivationException, RemoteException {
     admit("activeObjects");
-    return daemon.activeObjects(id);
+    return daemon.registered().activeObjects(id);
   }
 
   @Override
@@ -156,6 +163,6 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   @Override
   public boolean unregisterInactive(ActivationID id) throws ActivationException, RemoteException {
     admit("unregisterInactive");
-    return daemon.unregisterInactive(ActivatorService.object(daemon, id));
+    return daemon.registered().unregisterInactive(ActivatorService.object(daemon, id));
   }
 }

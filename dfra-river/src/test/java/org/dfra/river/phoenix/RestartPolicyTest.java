@@ -53,11 +53,11 @@ class RestartPolicyTest {
 
   @Test
   void firstCrashCostsNoDelayAndFurtherOnesMore() {
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
-    history.crashed("ended again", Duration.ZERO);
+    history.crashed("ended again", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(200));
     assertThat(history.last()).contains("ended again");
     assertThat(history.heldOffFor()).isEmpty();
@@ -66,7 +66,7 @@ class RestartPolicyTest {
   @Test
   void crashLoopIsHeldOffAndNotForEver() {
     for (int crash = 0; crash < 4; crash++) {
-      history.crashed("ended", Duration.ZERO);
+      history.crashed("ended", false);
     }
     assertThat(history.restartDelay()).as("at the limit nobody starts it").isEmpty();
     assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
@@ -74,7 +74,7 @@ class RestartPolicyTest {
     assertThat(history.heldOffFor()).isPresent();
     time.pass(Duration.ofMillis(1));
     assertThat(history.heldOffFor()).as("after the hold-off a call may start it").isEmpty();
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
     assertThat(history.heldOffFor())
         .as("a crash while the others still count holds it off again")
         .contains(Duration.ofSeconds(30));
@@ -82,11 +82,11 @@ class RestartPolicyTest {
 
   @Test
   void oldCrashesNoLongerCountButStayInTheTotal() {
-    history.crashed("ended", Duration.ZERO);
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
+    history.crashed("ended", false);
     time.pass(Duration.ofSeconds(61));
     assertThat(history.recentCount()).isZero();
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
     assertThat(history.total()).isEqualTo(3);
   }
@@ -95,28 +95,28 @@ class RestartPolicyTest {
   void whatHadWorkedIsRestartedAtOnceHoweverOftenItIsKilled() {
     for (int crash = 0; crash < 100; crash++) {
       time.pass(Duration.ofSeconds(5));
-      history.crashed("ended (exit code 137)", Duration.ofSeconds(2));
+      history.crashed("ended (exit code 137)", true);
       assertThat(history.restartDelay()).as("after crash %d", crash).contains(Duration.ZERO);
       assertThat(history.heldOffFor()).isEmpty();
     }
     assertThat(history.total()).isEqualTo(100);
     assertThat(history.recentCount()).as("crashes within a minute").isBetween(12, 13);
-    history.crashed("ended (exit code 137)", Duration.ofMillis(1999));
+    history.crashed("ended (exit code 137)", false);
     assertThat(history.restartDelay())
         .as("the first that had not worked for long")
         .contains(Duration.ZERO);
-    history.crashed("ended (exit code 137)", Duration.ZERO);
+    history.crashed("ended (exit code 137)", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
   }
 
   @Test
   void workingInBetweenDoesNotHideACrashLoop() {
     for (int crash = 0; crash < 3; crash++) {
-      history.crashed("ended", Duration.ZERO);
+      history.crashed("ended", false);
     }
-    history.crashed("ended", Duration.ofSeconds(3));
+    history.crashed("ended", true);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
-    history.crashed("ended", Duration.ZERO);
+    history.crashed("ended", false);
     assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
   }
 }

@@ -1,0 +1,63 @@
+package org.dfra.phoenix;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import org.dfra.river.phoenix.GroupStatus;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What was ready for a moment, failed and crashed later is no module that had worked. */
+@Timeout(240)
+class BriefReadinessIT {
+
+  @TempDir Path folder;
+
+  private PhoenixFixture phoenix;
+
+  @BeforeEach
+  void start() throws Exception {
+    phoenix =
+        new PhoenixFixture(
+                folder,
+                "restartWorked=500L",
+                "restartLimit=2",
+                "restartDelay=50L",
+                "restartHoldOff=60000L",
+                "restartWindow=60000L")
+            .start();
+  }
+
+  @AfterEach
+  void end() {
+    phoenix.close();
+  }
+
+  private void activate(String group, String mode) throws Exception {
+    ActivationGroupID id = phoenix.group(group);
+    ActivationID beacon = phoenix.register(id, mode, true);
+    assertThat(beacon.activate(false)).isNotNull();
+  }
+
+  @Test
+  void oneThatWasReadyForAMomentIsHeldOffWhenItCrashesAgainAndAgain() throws Exception {
+    activate("flash", "brief");
+    GroupStatus heldOff =
+        phoenix.awaitStatus(
+            "flash", status -> status.heldOffUntil() != null || status.totalCrashes() > 3);
+    assertThat(heldOff.totalCrashes()).isEqualTo(2);
+    assertThat(heldOff.heldOffUntil()).isNotNull();
+  }
+
+  @Test
+  void oneThatWasReadyUntilItsCrashIsRestartedHoweverOften() throws Exception {
+    activate("lamp", "steady");
+    GroupStatus crashed = phoenix.awaitStatus("lamp", status -> status.totalCrashes() > 3);
+    assertThat(crashed.heldOffUntil()).isNull();
+  }
+}
