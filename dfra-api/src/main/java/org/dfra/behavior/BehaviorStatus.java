@@ -15,10 +15,27 @@ import org.jspecify.annotations.Nullable;
  * @param done share of the goal that is dealt with, 0 to 1; never falls during a pursuit
  * @param missed how many parts of that, such as waypoints, were left out, since they could not be
  *     reached
+ * @param partsDone how many of the goal's parts, such as waypoints, are dealt with, those that were
+ *     left out among them
+ * @param parts how many parts the goal has; 0 where they are not counted, as by servers that are
+ *     older than this number
  */
 public record BehaviorStatus(
-    Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed)
+    Instant measured,
+    @Nullable UUID goal,
+    Phase phase,
+    String doing,
+    double done,
+    int missed,
+    int partsDone,
+    int parts)
     implements Reading {
+
+  /** Of a goal whose parts are not counted. */
+  public BehaviorStatus(
+      Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed) {
+    this(measured, goal, phase, doing, done, missed, 0, 0);
+  }
 
   /**
    * What a behaviour is at.
@@ -53,6 +70,10 @@ public record BehaviorStatus(
     }
     if (missed < 0) {
       throw new IllegalArgumentException("missed " + missed + " is below 0");
+    }
+    if (partsDone < 0 || partsDone > parts) {
+      throw new IllegalArgumentException(
+          "parts done " + partsDone + " is outside 0 to " + parts + ", the parts of the goal");
     }
   }
 }

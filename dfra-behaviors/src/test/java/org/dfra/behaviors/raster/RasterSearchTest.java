@@ -218,8 +218,12 @@ class RasterSearchTest {
         .as("counted through the whole search: %s", first.status())
         .isTrue();
     assertThat(first.status().missed()).isEqualTo(1);
+    assertThat(first.status().partsDone()).isEqualTo(4);
+    assertThat(first.status().parts()).isEqualTo(WAYPOINTS);
     RasterSearchImpl second = crash(first);
     assertThat(second.status().missed()).isEqualTo(1);
+    assertThat(second.status().partsDone()).isEqualTo(4);
+    assertThat(second.status().parts()).isEqualTo(WAYPOINTS);
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
     assertThat(second.status().missed()).isEqualTo(1);
     assertThat(second.status().doing())

@@ -23,6 +23,29 @@ final class StatusLine {
 
   private static final double NOTABLE = 0.005; // share of the goal that is worth an event
 
+  /**
+   * How far a goal is.
+   *
+   * @see BehaviorStatus
+   */
+  record Extent(double done, int missed, int partsDone, int parts) {
+
+    static final Extent NONE = new Extent(0, 0, 0, 0);
+
+    static Extent of(BehaviorStatus status) {
+      return new Extent(status.done(), status.missed(), status.partsDone(), status.parts());
+    }
+
+    static Extent of(Progress progress) {
+      return new Extent(progress.done(), progress.missed(), progress.partsDone(), progress.parts());
+    }
+
+    /** The same, but not less of the goal than {@code before}. */
+    Extent notBelow(double before) {
+      return new Extent(Math.max(before, done), missed, partsDone, parts);
+    }
+  }
+
   private final InstantSource clock;
   private final Consumer<BehaviorStatus> listener;
   private final BiConsumer<Phase, BehaviorStatus> onPhase;
@@ -51,8 +74,8 @@ final class StatusLine {
   }
 
   /** There is a new goal, whatever was before. */
-  synchronized void begin(UUID goal, Phase phase, String doing, double done, int missed) {
-    say(goal, phase, doing, done, missed);
+  synchronized void begin(UUID goal, Phase phase, String doing, Extent extent) {
+    say(goal, phase, doing, extent);
   }
 
   /**
@@ -64,33 +87,43 @@ final class StatusLine {
     if (!from.contains(status.phase())) {
       return false;
     }
-    say(status.goal(), to, doing, status.done(), status.missed());
+    say(status.goal(), to, doing, Extent.of(status));
     return true;
   }
 
   /** How far it is now; nothing where somebody has stopped it meanwhile. */
-  void goOn(String doing, double done, int missed) {
-    end(Phase.RUNNING, doing, done, missed);
+  void goOn(String doing, Extent extent) {
+    end(Phase.RUNNING, doing, extent);
   }
 
   /** It runs no more, for this reason; nothing where somebody has stopped it meanwhile. */
-  synchronized void end(Phase phase, String why, double done, int missed) {
+  synchronized void end(Phase phase, String why, Extent extent) {
     if (status.phase() == Phase.RUNNING) {
-      say(status.goal(), phase, why, done, missed);
+      say(status.goal(), phase, why, extent);
     }
   }
 
-  private void say(@Nullable UUID goal, Phase phase, String doing, double done, int missed) {
+  private void say(@Nullable UUID goal, Phase phase, String doing, Extent extent) {
     BehaviorStatus last = status;
     boolean same =
         Objects.equals(goal, last.goal())
             && phase == last.phase()
             && doing.equals(last.doing())
-            && missed == last.missed();
-    if (same && done - last.done() < NOTABLE) {
+            && extent.equals(
+                new Extent(extent.done(), last.missed(), last.partsDone(), last.parts()));
+    if (same && extent.done() - last.done() < NOTABLE) {
       return;
     }
-    BehaviorStatus fresh = new BehaviorStatus(clock.instant(), goal, phase, doing, done, missed);
+    BehaviorStatus fresh =
+        new BehaviorStatus(
+            clock.instant(),
+            goal,
+            phase,
+            doing,
+            extent.done(),
+            extent.missed(),
+            extent.partsDone(),
+            extent.parts());
     status = fresh;
     if (phase != last.phase()) {
       onPhase.accept(last.phase(), fresh);
