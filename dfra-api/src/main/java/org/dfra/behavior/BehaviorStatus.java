@@ -17,6 +17,10 @@ import org.jspecify.annotations.Nullable;
  *     reached
  * @param heldSince when a person, a parking brake or an emergency stop stopped it, by the robot's
  *     clock, UTC; no program resumes it. Null where none of them has, and from the next goal on
+ * @param partsDone how many of the goal's parts, such as waypoints, are dealt with, those that were
+ *     left out among them
+ * @param parts how many parts the goal has; 0 where they are not counted, as by servers that are
+ *     older than this number
  */
 public record BehaviorStatus(
     Instant measured,
@@ -25,7 +29,9 @@ public record BehaviorStatus(
     String doing,
     double done,
     int missed,
-    @Nullable Instant heldSince)
+    @Nullable Instant heldSince,
+    int partsDone,
+    int parts)
     implements Reading {
 
   /**
@@ -57,10 +63,10 @@ public record BehaviorStatus(
     }
   }
 
-  /** Nothing has stopped it but its own end, or a program. */
+  /** Of a goal that nobody has stopped, and whose parts are not counted. */
   public BehaviorStatus(
       Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed) {
-    this(measured, goal, phase, doing, done, missed, null);
+    this(measured, goal, phase, doing, done, missed, null, 0, 0);
   }
 
   public BehaviorStatus {
@@ -69,6 +75,10 @@ public record BehaviorStatus(
     }
     if (missed < 0) {
       throw new IllegalArgumentException("missed " + missed + " is below 0");
+    }
+    if (partsDone < 0 || partsDone > parts) {
+      throw new IllegalArgumentException(
+          "parts done " + partsDone + " is outside 0 to " + parts + ", the parts of the goal");
     }
   }
 }

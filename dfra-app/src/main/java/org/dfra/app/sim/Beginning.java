@@ -32,7 +32,7 @@ public record Beginning(
     return new Beginning(
         world.name(),
         world.seed(),
-        clock instanceof ScaledTime scaled ? scaled.toString() : "real",
+        clock instanceof ScaledTime scaled ? scaled.onThisComputer() : "real",
         simulation.world().start(),
         world.datum(),
         simulation.lines());

@@ -17,6 +17,8 @@ import org.dfra.directory.ModuleListing;
  * @param module what pursues the task, {@code robot/module}
  * @param phase what it is at
  * @param done share of it that is reached, 0 to 1
+ * @param partsDone waypoints that are dealt with
+ * @param parts waypoints of the task; 0 where they are not counted
  * @param doing what it does or why it does not, as a clause
  * @param since when it said so, by the robot's clock
  */
@@ -25,6 +27,8 @@ record TaskView(
     String module,
     BehaviorStatus.Phase phase,
     double done,
+    int partsDone,
+    int parts,
     String doing,
     Instant since) {
 
@@ -37,6 +41,8 @@ record TaskView(
         path,
         status.phase(),
         status.done(),
+        status.partsDone(),
+        status.parts(),
         status.doing(),
         status.measured());
   }

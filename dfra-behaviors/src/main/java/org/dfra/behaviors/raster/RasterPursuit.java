@@ -3,8 +3,6 @@ package org.dfra.behaviors.raster;
 import java.rmi.RemoteException;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoalRefusedException;
@@ -24,9 +22,6 @@ import org.jspecify.annotations.Nullable;
  * The next process of a search goes on with the path that its dead one had driven.
  */
 final class RasterPursuit implements Pursuit {
-
-  /** What a path says first. */
-  private static final Pattern WAYPOINT = Pattern.compile("^waypoint (\\d{1,9}) of \\d+");
 
   private final RasterPlan plan;
   private final double tolerance;
@@ -80,7 +75,8 @@ final class RasterPursuit implements Pursuit {
 
   @Override
   public Progress step() throws RemoteException {
-    return turn().missing(missed);
+    Progress progress = turn();
+    return progress.missing(missed).counting(reached, plan.waypoints().size());
   }
 
   private Progress turn() throws RemoteException {
@@ -104,11 +100,16 @@ final class RasterPursuit implements Pursuit {
             ? searched()
             : Progress.failed(status.doing(), done());
       case CANCELLED:
+        if (status.heldSince() == null) { // the search's earlier process gave it up as it ended
+          path.forget();
+          return begin();
+        }
         return Progress.held("its path was cancelled: " + status.doing(), done());
       case PAUSED: // as by a brake: whoever resumes the search has what is left begun anew
         return Progress.held("its path is paused: " + status.doing(), done());
       default:
-        return Progress.going(lane() + ", " + ofAll(status.doing()), done());
+        return Progress.going(
+            lane() + ", " + WaypointText.amongAll(status, begun, plan.waypoints().size()), done());
     }
   }
 
@@ -159,15 +160,21 @@ final class RasterPursuit implements Pursuit {
     return Progress.going(lane() + ", it begins", done());
   }
 
-  /** A path tells how many of its waypoints are done as their share of all. */
   private void note(BehaviorStatus status) {
-    int waypoints = plan.waypoints().size() - begun;
-    int now = begun + (int) Math.floor(status.done() * waypoints + 1e-6);
+    int now = begun + waypointsDone(status);
     if (now > reached) {
       reached = now;
       missed = missedBefore + status.missed();
       counter.count(reached, missed);
     }
+  }
+
+  /** A path that does not count them yet, of an older version, tells only their share of all. */
+  private int waypointsDone(BehaviorStatus status) {
+    int waypoints = plan.waypoints().size() - begun;
+    return status.parts() > 0
+        ? Math.min(waypoints, status.partsDone())
+        : (int) Math.floor(status.done() * waypoints + 1e-6);
   }
 
   private Progress searched() {
@@ -176,18 +183,6 @@ final class RasterPursuit implements Pursuit {
             + (missed == 0
                 ? "it has been everywhere"
                 : missed + " of " + plan.waypoints().size() + " waypoints left out, barred"));
-  }
-
-  /** The path counts the waypoints since it began; a search that was taken up again has more. */
-  private String ofAll(String doing) {
-    Matcher counted = WAYPOINT.matcher(doing);
-    return counted.find()
-        ? "waypoint "
-            + (begun + Integer.parseInt(counted.group(1)))
-            + " of "
-            + plan.waypoints().size()
-            + doing.substring(counted.end())
-        : doing;
   }
 
   private String lane() {

@@ -12,6 +12,7 @@ import org.dfra.behaviors.raster.RasterMemory.Begun;
 import org.dfra.behaviors.raster.RasterMemory.PathBegun;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.Delegation;
+import org.dfra.core.behavior.Progress;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
@@ -189,7 +190,8 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     if (next == Phase.PAUSED && begun.path() != null) {
       again.rest(); // nobody drives on for a search that is paused
     }
-    goOn(again, next, (double) done / plan.waypoints().size(), leftOut);
+    int all = plan.waypoints().size();
+    goOn(again, next, Progress.going("", (double) done / all).missing(leftOut).counting(done, all));
   }
 
   /** {@inheritDoc} One that is ended in good order waits, when it is back, to be resumed. */

@@ -8,6 +8,7 @@ import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.PathGoal;
+import org.dfra.behaviors.raster.WaypointText;
 import org.dfra.core.behavior.Delegation;
 import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.core.behavior.Progress;
@@ -45,7 +46,8 @@ final class PathPursuit implements Pursuit {
 
   @Override
   public Progress step() throws RemoteException {
-    return turn().missing(missed);
+    Progress progress = turn();
+    return progress.missing(missed).counting(next, goal.waypoints().size());
   }
 
   private Progress turn() throws RemoteException {
@@ -109,7 +111,7 @@ final class PathPursuit implements Pursuit {
 
   private Progress going(String doing, double ofLeg) {
     return Progress.going(
-        "waypoint " + (next + 1) + " of " + goal.waypoints().size() + ": " + doing, done(ofLeg));
+        WaypointText.number(next, goal.waypoints().size()) + ": " + doing, done(ofLeg));
   }
 
   /** So many waypoints of all, and a part of the next. */

@@ -71,7 +71,7 @@ class RasterSearchTest {
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
     robot.end(search);
     RasterSearchImpl next = addSearch(Map.of());
-    assertThat(next.status().phase()).as("what has ended is forgotten").isEqualTo(Phase.IDLE);
+    assertThat(next.status().phase()).as("what has ended is not begun").isEqualTo(Phase.SUCCEEDED);
   }
 
   @Test
@@ -218,8 +218,12 @@ class RasterSearchTest {
         .as("counted through the whole search: %s", first.status())
         .isTrue();
     assertThat(first.status().missed()).isEqualTo(1);
+    assertThat(first.status().partsDone()).isEqualTo(4);
+    assertThat(first.status().parts()).isEqualTo(WAYPOINTS);
     RasterSearchImpl second = crash(first);
     assertThat(second.status().missed()).isEqualTo(1);
+    assertThat(second.status().partsDone()).isEqualTo(4);
+    assertThat(second.status().parts()).isEqualTo(WAYPOINTS);
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
     assertThat(second.status().missed()).isEqualTo(1);
     assertThat(second.status().doing())
@@ -314,14 +318,14 @@ class RasterSearchTest {
   }
 
   @Test
-  void forgetsWhatIsCancelled() throws Exception {
+  void doesNotGoOnWithWhatIsCancelled() throws Exception {
     RasterSearchImpl search = addSearch(Map.of());
     UUID unused = search.pursue(FIELD);
     assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
     search.cancel();
     assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
     robot.end(search);
-    assertThat(addSearch(Map.of()).status().phase()).isEqualTo(Phase.IDLE);
+    assertThat(addSearch(Map.of()).status().phase()).isEqualTo(Phase.CANCELLED);
   }
 
   @Test

@@ -43,8 +43,11 @@ class FollowWaypointsTest {
     assertThat(robot.hears(follow, "waypoint 2 of 3", 60)).isTrue();
     assertThat(robot.distanceTo(6, 0)).isLessThan(0.5);
     assertThat(follow.status().done()).isBetween(1 / 3.0, 0.5);
+    assertThat(follow.status().partsDone()).isEqualTo(1);
+    assertThat(follow.status().parts()).isEqualTo(3);
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(goal);
+    assertThat(follow.status().partsDone()).isEqualTo(3);
     assertThat(follow.status().doing()).isEqualTo("it has been everywhere");
     assertThat(robot.distanceTo(0, 6)).isLessThanOrEqualTo(0.4);
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);

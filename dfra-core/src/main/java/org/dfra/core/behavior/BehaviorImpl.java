@@ -3,34 +3,24 @@ package org.dfra.core.behavior;
 import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.UUID;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.Goal;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.Script;
-import org.dfra.core.chain.ControlLoop;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
 import org.dfra.core.module.SchemaImpl;
-import org.dfra.flow.effector.BrakeEngagedException;
-import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StoppedForEmergency;
-import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.BehaviorAttributes;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Base of every behaviour. It moves along the arrows of {@link Phase}, and gives the {@link
@@ -53,26 +43,14 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   private final String goalType;
   private final double rate;
-  private final ControlLoop loop;
   private final Errands errands;
   private final DriveInterlock interlock;
-
-  /** How long a turn that is under way is waited for: less than a call's deadline. */
-  private static final long PATIENCE_MILLIS = 1000;
-
-  /** Held during every turn and while a goal is taken up; others are called under it. */
-  private final ReentrantLock turning = new ReentrantLock();
-
-  private @Nullable Pursuit pursuit; // guarded by turning; the last that was begun
-  private boolean isAtRest; // guarded by turning
-
-  /** Its lock is taken after {@link #turning}. */
   private final StatusLine said;
 
   /** Used under the lock of {@link #said}. */
   private final GoalMemory memory;
 
-  private volatile boolean isOver;
+  private final GoalExecutor executor;
 
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
@@ -90,23 +68,22 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     super(context, description, author, version, List.of("BehaviorStatus"));
     this.goalType = goal.getSimpleName();
     this.rate = settings().number("rate", usualRate, 1, 50);
-    this.loop =
-        new ControlLoop("dfra-behavior " + context.path(), context.robotTime(), rate, this::turn);
     this.errands = new Errands("dfra-errands " + context.path(), context.robotTime());
     this.interlock =
         new DriveInterlock(context, Needed.of(context, DriveEffector.class, "drive"), log);
     this.memory = new GoalMemory(context.state());
     this.said = new StatusLine(clock(), this::say, this::changed);
+    this.executor = new GoalExecutor(path(), context.robotTime(), rate, said, log, this::survived);
     declared()
         .show(
             "lateness_p99",
             "seconds that 99 % of the last 600 turns were late at the most",
-            () -> String.format(Locale.ROOT, "%.4f", loop.lateness(0.99)));
+            () -> String.format(Locale.ROOT, "%.4f", executor.lateness(0.99)));
     declared()
         .show(
             "turns_missed",
             "turns that were left out, since others took too long",
-            () -> Long.toString(loop.missed()));
+            () -> Long.toString(executor.missed()));
   }
 
   /**
@@ -202,38 +179,9 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   protected void onClose() {
-    isOver = true;
-    loop.close(); // a turn that waits for another module is interrupted
-    if (await(turning)) {
-      try {
-        rest();
-        pursuit = null;
-      } finally {
-        turning.unlock();
-      }
-    } else {
-      log.warn("{}: a turn does not end; what it commands ends with its leases", path());
-    }
+    executor.close();
     errands.close();
     super.onClose();
-  }
-
-  /** Takes the lock, unless a turn holds it for long. */
-  private static boolean await(ReentrantLock lock) {
-    boolean interrupted = false;
-    try {
-      while (true) {
-        try {
-          return lock.tryLock(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-    } finally {
-      if (interrupted) {
-        Thread.currentThread().interrupt();
-      }
-    }
   }
 
   @Override
@@ -247,26 +195,18 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   private UUID pursue(G goal, boolean isAttended) throws RemoteException {
-    if (!await(turning)) {
-      throw GoalRefusedException.busy(
-          path() + " waits for a module that does not answer; ask again in a few seconds");
-    }
-    try {
-      if (isOver || !readiness().serves()) {
-        throw new NotReadyException(path(), readiness(), "it cannot take up a goal now");
-      }
-      if (said.phase().isUnderWay()) {
-        throw GoalRefusedException.busy(
-            path()
-                + " is at another goal ("
-                + said.now().doing()
-                + "); cancel that first, or wait for its end");
-      }
-      Pursuit begun = begin(goal);
-      prepare(isAttended);
-      return takeUp(begun, Phase.RUNNING, "it begins", 0, 0);
-    } finally {
-      turning.unlock();
+    return executor.takeUp(
+        this::requireReady,
+        () -> {
+          Pursuit begun = begin(goal);
+          prepare(isAttended);
+          return begun;
+        });
+  }
+
+  private void requireReady() {
+    if (executor.isOver() || !readiness().serves()) {
+      throw new NotReadyException(path(), readiness(), "it cannot take up a goal now");
     }
   }
 
@@ -274,27 +214,10 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * Goes on with what was begun in an earlier life.
    *
    * @param phase {@link Phase#RUNNING}, or {@link Phase#PAUSED} where it is to wait to be resumed
-   * @param done share of the goal that was dealt with
-   * @param missed parts of that which were left out
+   * @param before how far the goal was; only its numbers count
    */
-  protected final void goOn(Pursuit begun, Phase phase, double done, int missed) {
-    turning.lock();
-    try {
-      UUID unused = takeUp(begun, phase, "it was begun before this process", done, missed);
-    } finally {
-      turning.unlock();
-    }
-  }
-
-  private UUID takeUp(Pursuit taken, Phase phase, String doing, double done, int missed) {
-    UUID id = UUID.randomUUID();
-    said.begin(id, phase, doing, done, missed);
-    pursuit = taken;
-    isAtRest = true;
-    if (phase == Phase.RUNNING) {
-      loop.start();
-    }
-    return id;
+  protected final void goOn(Pursuit begun, Phase phase, Progress before) {
+    executor.restore(begun, phase, StatusLine.Extent.of(before));
   }
 
   /**
@@ -305,7 +228,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   @Override
   public final BehaviorStatus status() {
     BehaviorStatus now = said.now();
-    if (isOver && now.phase().isUnderWay()) {
+    if (executor.isOver() && now.phase().isUnderWay()) {
       throw new NotReadyException(path(), readiness(), "it has ended before its goal was reached");
     }
     return now;
@@ -313,217 +236,48 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final void pause() {
-    stop(Phase.PAUSED, "it was told to pause", null, true);
+    executor.stop(Phase.PAUSED, "it was told to pause", null, true);
   }
 
   @Override
   public final void pauseUnattended() {
-    stop(Phase.PAUSED, "it was told to pause by a program", null, false);
+    executor.stop(Phase.PAUSED, "it was told to pause by a program", null, false);
   }
 
   @Override
   public final void cancel() {
-    stop(Phase.CANCELLED, "it was told to give up", null, true);
+    executor.stop(Phase.CANCELLED, "it was told to give up", null, true);
   }
 
   @Override
   public final void cancel(UUID goal) {
-    stop(Phase.CANCELLED, "it was told to give up", goal, true);
+    executor.stop(Phase.CANCELLED, "it was told to give up", goal, true);
   }
 
   @Override
   public final void cancelUnattended(UUID goal) {
-    stop(Phase.CANCELLED, "it was told to give up by a program", goal, false);
+    executor.stop(Phase.CANCELLED, "it was told to give up by a program", goal, false);
   }
 
   @Override
   public final void resume() {
-    if (!isOver && said.phase() == Phase.PAUSED) {
+    if (!executor.isOver() && said.phase() == Phase.PAUSED) {
       try {
         prepare(true);
       } catch (RemoteException | NotReadyException e) { // the next cycle finds what is in the way
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }
-    resume(true);
+    executor.resume(true);
   }
 
   @Override
   public final void resumeUnattended() {
-    resume(false);
-  }
-
-  private void resume(boolean isAttended) {
-    synchronized (said) { // who pauses it again is to find the loop that he stops
-      if (!isOver
-          && (isAttended || said.now().heldSince() == null)
-          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
-        loop.start();
-      }
-    }
-  }
-
-  /**
-   * Somebody wants it to stop: rests and says so; says so at once where a turn is held up.
-   *
-   * @param only the goal that is meant; null for whichever is being pursued
-   * @param isAttended false where a program stops it, so that it is not held
-   */
-  private void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
-    Set<Phase> from =
-        wanted == Phase.CANCELLED
-            ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
-            : EnumSet.of(Phase.RUNNING);
-    boolean isIdle = !turning.isHeldByCurrentThread() && await(turning);
-    try {
-      synchronized (said) { // no other goal is taken up between the question and the stop
-        BehaviorStatus now = said.now();
-        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
-          return;
-        }
-        if (!from.contains(now.phase())) {
-          return;
-        }
-        loop.stop();
-        if (!isIdle) {
-          boolean unused = said.move(from, wanted, why, isAttended);
-        }
-      }
-      if (isIdle) {
-        rest();
-        boolean unused = said.move(from, wanted, why, isAttended);
-      }
-    } finally {
-      if (isIdle) {
-        turning.unlock();
-      }
-    }
-  }
-
-  /**
-   * Somebody pauses what pauses already, or stops a goal that the process before this one pursued:
-   * nothing moves, and nothing is to go on by itself from now on.
-   */
-  private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
-    if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
-      return said.move(
-          EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
-    }
-    return now.phase() == Phase.PAUSED
-        && wanted == Phase.PAUSED
-        && isAttended
-        && said.move(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
-  }
-
-  /** Holds the lock of turns. */
-  private void rest() {
-    @Nullable Pursuit now = pursuit;
-    if (now == null || isAtRest) {
-      return;
-    }
-    isAtRest = true;
-    try {
-      now.rest();
-    } catch (RuntimeException e) { // a fault; what it commands ends with its leases
-      log.error("{}: it could not come to rest", path(), e);
-      survived(e);
-    }
+    executor.resume(false);
   }
 
   /** It is at this now. Never called by two threads at once; must not block. */
   protected void onPhase(Phase phase) {}
-
-  private void turn() {
-    turning.lock();
-    try {
-      @Nullable Pursuit now = pursuit;
-      if (now == null || isOver || said.phase() != Phase.RUNNING) {
-        return;
-      }
-      isAtRest = false;
-      step(now);
-      if (said.phase() != Phase.RUNNING && !isOver) { // stopped meanwhile, or ended
-        rest();
-      }
-    } finally {
-      turning.unlock();
-    }
-  }
-
-  private void step(Pursuit now) {
-    try {
-      take(now.step());
-    } catch (NotReadyException
-        | CommandRefusedException
-        | LeaseRefusedException
-        | RemoteException e) {
-      if (e instanceof StoppedForEmergency) { // its release must not move the robot
-        end(Phase.CANCELLED, String.valueOf(e.getMessage()));
-      } else if (e instanceof BrakeEngagedException) { // likewise
-        end(Phase.PAUSED, e.getMessage() + "; when it may move, resume the goal");
-      } else {
-        await(e);
-      }
-    } catch (DelegateHeldException e) {
-      end(Phase.PAUSED, e.getMessage() + "; when it may move, resume the goal");
-    } catch (GoalRefusedException e) {
-      if (e.isBusy()) {
-        await(e);
-      } else {
-        fail(e);
-      }
-    } catch (RuntimeException | Error e) {
-      fail(e);
-    }
-  }
-
-  private void await(Exception reason) {
-    if (!isOver) { // whoever ends it has it rest
-      rest();
-      BehaviorStatus last = said.now();
-      said.goOn("it waits: " + inWords(reason), last.done(), last.missed());
-    }
-  }
-
-  /** One line: a call that failed tells of its causes on lines of their own. */
-  private static String inWords(Exception reason) {
-    String message = String.valueOf(reason.getMessage());
-    boolean isCall = reason instanceof RemoteException && reason.getCause() != null;
-    int nested = message.indexOf("; nested exception is:");
-    return isCall && nested > 0 ? "a call failed: " + message.substring(0, nested) : message;
-  }
-
-  /** A fault of the behaviour; the robot must not drive on. */
-  private void fail(Throwable e) {
-    log.error("{}: a turn failed", path(), e);
-    survived(e);
-    end(Phase.FAILED, "a fault of the behaviour: " + e);
-  }
-
-  private void take(Progress progress) {
-    double done = Math.max(said.now().done(), progress.done());
-    int missed = progress.missed();
-    switch (progress.outcome()) {
-      case REACHED -> end(Phase.SUCCEEDED, progress.doing(), 1, missed);
-      case FAILED -> end(Phase.FAILED, progress.doing(), done, missed);
-      case CANCELLED -> end(Phase.CANCELLED, progress.doing(), done, missed);
-      case HELD -> end(Phase.PAUSED, progress.doing(), done, missed);
-      default -> said.goOn(progress.doing(), done, missed);
-    }
-  }
-
-  /** It ends as far as it is. */
-  private void end(Phase phase, String why) {
-    BehaviorStatus last = said.now();
-    end(phase, why, last.done(), last.missed());
-  }
-
-  /** A turn has come to an end of the pursuit, or to a pause. */
-  private void end(Phase phase, String why, double done, int missed) {
-    loop.stop();
-    rest();
-    said.end(phase, why, done, missed);
-  }
 
   private void changed(Phase from, BehaviorStatus fresh) {
     log.info("{}: {} -> {}: {}", path(), from, fresh.phase(), fresh.doing());

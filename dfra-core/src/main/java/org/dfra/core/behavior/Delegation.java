@@ -214,13 +214,23 @@ public final class Delegation<G extends Goal, B extends Behavior<G>> {
     try {
       return by.status();
     } catch (NotReadyException e) {
-      B next = needed.now();
+      B next = next(e);
       if (next.equals(by)) {
         throw e;
       }
       BehaviorStatus status = next.status();
       worker = next;
       return status;
+    }
+  }
+
+  /** Whatever can do it now; where nothing can, {@code why} tells more than that does. */
+  private B next(NotReadyException why) throws RemoteException {
+    try {
+      return needed.now();
+    } catch (NotReadyException e) {
+      why.addSuppressed(e);
+      throw why;
     }
   }
 

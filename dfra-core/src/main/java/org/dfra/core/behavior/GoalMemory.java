@@ -97,9 +97,11 @@ final class GoalMemory {
               "its process ended while it paused: " + doing,
               0,
               0,
-              held);
+              held,
+              0,
+              0);
       case SUCCEEDED -> new BehaviorStatus(now, goal, phase, doing, 1, 0);
-      default -> new BehaviorStatus(now, goal, phase, doing, 0, 0, held);
+      default -> new BehaviorStatus(now, goal, phase, doing, 0, 0, held, 0, 0);
     };
   }
 }

@@ -24,6 +24,29 @@ final class StatusLine {
 
   private static final double NOTABLE = 0.005; // share of the goal that is worth an event
 
+  /**
+   * How far a goal is.
+   *
+   * @see BehaviorStatus
+   */
+  record Extent(double done, int missed, int partsDone, int parts) {
+
+    static final Extent NONE = new Extent(0, 0, 0, 0);
+
+    static Extent of(BehaviorStatus status) {
+      return new Extent(status.done(), status.missed(), status.partsDone(), status.parts());
+    }
+
+    static Extent of(Progress progress) {
+      return new Extent(progress.done(), progress.missed(), progress.partsDone(), progress.parts());
+    }
+
+    /** The same, but not less of the goal than {@code before}. */
+    Extent notBelow(double before) {
+      return new Extent(Math.max(before, done), missed, partsDone, parts);
+    }
+  }
+
   private final InstantSource clock;
   private final Consumer<BehaviorStatus> listener;
   private final BiConsumer<Phase, BehaviorStatus> onPhase;
@@ -57,8 +80,8 @@ final class StatusLine {
   }
 
   /** There is a new goal, whatever was before. One that begins with a pause waits for a person. */
-  synchronized void begin(UUID goal, Phase phase, String doing, double done, int missed) {
-    say(goal, phase, doing, done, missed, phase == Phase.PAUSED ? clock.instant() : null);
+  synchronized void begin(UUID goal, Phase phase, String doing, Extent extent) {
+    say(goal, phase, doing, extent, phase == Phase.PAUSED ? clock.instant() : null);
   }
 
   /**
@@ -75,13 +98,13 @@ final class StatusLine {
     }
     @Nullable Instant earlier = to == Phase.CANCELLED ? last.heldSince() : null;
     @Nullable Instant held = isHeld ? clock.instant() : earlier;
-    say(last.goal(), to, doing, last.done(), last.missed(), held);
+    say(last.goal(), to, doing, Extent.of(last), held);
     return true;
   }
 
   /** How far it is now; nothing where somebody has stopped it meanwhile. */
-  void goOn(String doing, double done, int missed) {
-    end(Phase.RUNNING, doing, done, missed);
+  void goOn(String doing, Extent extent) {
+    end(Phase.RUNNING, doing, extent);
   }
 
   /**
@@ -89,32 +112,37 @@ final class StatusLine {
    * or cancels a goal from within is an emergency stop, a brake, or somebody who stopped a part of
    * it: it is held.
    */
-  synchronized void end(Phase phase, String why, double done, int missed) {
+  synchronized void end(Phase phase, String why, Extent extent) {
     if (status.phase() == Phase.RUNNING) {
       boolean isHeld = phase == Phase.PAUSED || phase == Phase.CANCELLED;
-      say(status.goal(), phase, why, done, missed, isHeld ? clock.instant() : null);
+      say(status.goal(), phase, why, extent, isHeld ? clock.instant() : null);
     }
   }
 
   private void say(
-      @Nullable UUID goal,
-      Phase phase,
-      String doing,
-      double done,
-      int missed,
-      @Nullable Instant heldSince) {
+      @Nullable UUID goal, Phase phase, String doing, Extent extent, @Nullable Instant heldSince) {
     BehaviorStatus last = status;
     boolean same =
         Objects.equals(goal, last.goal())
             && phase == last.phase()
             && doing.equals(last.doing())
             && Objects.equals(heldSince, last.heldSince())
-            && missed == last.missed();
-    if (same && done - last.done() < NOTABLE) {
+            && extent.equals(
+                new Extent(extent.done(), last.missed(), last.partsDone(), last.parts()));
+    if (same && extent.done() - last.done() < NOTABLE) {
       return;
     }
     BehaviorStatus fresh =
-        new BehaviorStatus(clock.instant(), goal, phase, doing, done, missed, heldSince);
+        new BehaviorStatus(
+            clock.instant(),
+            goal,
+            phase,
+            doing,
+            extent.done(),
+            extent.missed(),
+            heldSince,
+            extent.partsDone(),
+            extent.parts());
     status = fresh;
     if (phase != last.phase()) {
       onPhase.accept(last.phase(), fresh);

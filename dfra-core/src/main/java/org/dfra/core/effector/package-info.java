@@ -9,7 +9,8 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.core.effector.EffectorImpl}; for wheels at {@link
- * org.dfra.core.effector.DriveImpl}, which also stops them when commands fall silent.
+ * org.dfra.core.effector.DriveImpl}, which also stops them when commands fall silent ({@code
+ * CommandTimeout}).
  */
 @NullMarked
 package org.dfra.core.effector;

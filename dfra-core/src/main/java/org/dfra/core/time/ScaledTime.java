@@ -1,5 +1,6 @@
 package org.dfra.core.time;
 
+import java.math.BigDecimal;
 import java.time.DateTimeException;
 import java.time.Duration;
 import java.time.Instant;
@@ -13,10 +14,13 @@ import org.dfra.time.Scheduler;
  * Time that was real until an instant and runs at another speed since: the same in every virtual
  * machine of a computer that was told of it, so that devices, drivers and behaviours of a simulated
  * robot agree. Clock and scheduler in one. It writes itself as {@code 4x since
- * 2026-11-21T16:00:00Z}.
+ * 2026-11-21T16:00:00Z}, and {@link #onThisComputer} as {@code 4x since 2026-11-21T16:00:00Z (boot
+ * 1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed, 86400.123456789 s)}: at that instant the computer had been
+ * running for so long.
  *
- * <p>It goes on evenly even where the computer's clock is set meanwhile; a virtual machine takes
- * that clock into account once, when this is made.
+ * <p>It goes on evenly even where the computer's clock is set meanwhile, and virtual machines that
+ * are started before and after that agree. Where the text has no boot, or that of another computer
+ * or of an earlier boot, this takes the computer's clock into account once, when it is made.
  */
 public final class ScaledTime implements InstantSource, Scheduler {
 
@@ -26,7 +30,9 @@ public final class ScaledTime implements InstantSource, Scheduler {
   /** See {@link #SLOWEST}. */
   public static final double FASTEST = 1000;
 
-  private static final Pattern TEXT = Pattern.compile("([0-9.]+)x since (\\S+)");
+  private static final Pattern TEXT =
+      Pattern.compile(
+          "([0-9.]{1,20})x since (\\S+)(?: \\(boot (\\S+), (-?\\d{1,9}\\.\\d{9}) s\\))?");
 
   private final double speed;
   private final Instant since;
@@ -43,6 +49,10 @@ public final class ScaledTime implements InstantSource, Scheduler {
 
   /** For tests: by another real time. */
   ScaledTime(double speed, Instant since, InstantSource clock, Scheduler real) {
+    this(speed, since, real, real.nanos() - Duration.between(since, clock.instant()).toNanos());
+  }
+
+  private ScaledTime(double speed, Instant since, Scheduler real, long beginNanos) {
     if (!(speed >= SLOWEST && speed <= FASTEST)) {
       throw new IllegalArgumentException(
           "speed " + speed + " is outside " + SLOWEST + " to " + FASTEST);
@@ -50,7 +60,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
     this.speed = speed;
     this.since = since;
     this.real = real;
-    this.beginNanos = real.nanos() - Duration.between(since, clock.instant()).toNanos();
+    this.beginNanos = beginNanos;
   }
 
   /**
@@ -59,10 +69,20 @@ public final class ScaledTime implements InstantSource, Scheduler {
    * @throws IllegalArgumentException if it is none; the message says what one looks like
    */
   public static ScaledTime parse(String text) {
+    return parse(text, BootClock.system(), InstantSource.system(), Scheduler.system());
+  }
+
+  /** For tests: by another real time. */
+  static ScaledTime parse(String text, BootClock boot, InstantSource clock, Scheduler real) {
     Matcher parts = TEXT.matcher(text.strip());
     if (parts.matches()) {
       try {
-        return new ScaledTime(Double.parseDouble(parts.group(1)), Instant.parse(parts.group(2)));
+        double speed = Double.parseDouble(parts.group(1));
+        Instant since = Instant.parse(parts.group(2));
+        return parts.group(3) != null && parts.group(3).equals(boot.id())
+            ? new ScaledTime(
+                speed, since, real, new BigDecimal(parts.group(4)).movePointRight(9).longValue())
+            : new ScaledTime(speed, since, clock, real);
       } catch (NumberFormatException | DateTimeException e) {
         // told below
       }
@@ -110,6 +130,27 @@ public final class ScaledTime implements InstantSource, Scheduler {
         return timer.after(realNanos(nanos), task);
       }
     };
+  }
+
+  /**
+   * As it writes itself for other virtual machines of this computer, so that they agree with this
+   * one even where somebody sets the computer's clock before they are started. Other computers read
+   * it too, and go by their clocks.
+   */
+  public String onThisComputer() {
+    return onThisComputer(BootClock.system());
+  }
+
+  /** For tests: on another computer. */
+  String onThisComputer(BootClock boot) {
+    return boot.id() == null
+        ? toString()
+        : this
+            + " (boot "
+            + boot.id()
+            + ", "
+            + BigDecimal.valueOf(beginNanos, 9).toPlainString()
+            + " s)";
   }
 
   @Override

@@ -157,6 +157,28 @@ class BehaviorImplTest {
   }
 
   @Test
+  void countsThePartsOfItsGoal() throws Exception {
+    UUID unused = genie.pursue(new Wish("three wishes"));
+    turns.add(Progress.going("it grants", 0.4).missing(1).counting(1, 3));
+    awaitTold("it grants");
+    turns.add(Progress.going("it grants", 0.4).missing(1).counting(2, 3)); // same words: news
+    await().atMost(PATIENCE).until(() -> told.get(told.size() - 1).partsDone() == 2);
+    genie.pause();
+    BehaviorStatus paused = genie.status();
+    assertThat(paused.partsDone()).isEqualTo(2);
+    assertThat(paused.parts()).isEqualTo(3);
+    assertThat(paused.missed()).isEqualTo(1);
+  }
+
+  @Test
+  void numbersThatCannotBeAreAFaultThatEndsTheGoal() throws Exception {
+    UUID unused = genie.pursue(new Wish("three wishes"));
+    turns.add(Progress.going("it grants", 0.4).counting(4, 3));
+    awaitPhase(genie, Phase.FAILED);
+    assertThat(genie.status().doing()).contains("parts done 4 is outside 0 to 3");
+  }
+
+  @Test
   void pausesKeepsTheGoalAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(Progress.going("it digs", 0.4));

@@ -86,7 +86,7 @@ class DelegationTest {
           }
           case "status" -> {
             BehaviorStatus now =
-                new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0, heldSince);
+                new BehaviorStatus(Instant.EPOCH, goal, phase, "it works", 0, 0, heldSince, 0, 0);
             @Nullable UUID next = othersNext;
             if (next != null) {
               goal = next;

@@ -71,6 +71,38 @@ class ScaledTimeTest {
     assertThat(late.instant()).isEqualTo(early.instant()).isEqualTo(BEGIN.plusSeconds(5));
   }
 
+  @Test
+  void agreesWithAnotherVirtualMachineThatWasStartedAfterTheClockWasSet() {
+    BootClock boot = new BootClock("1b9d6bcd");
+    ScaledTime early = new ScaledTime(4, BEGIN, () -> BEGIN.plusSeconds(10), real);
+    real.nanos += 2_000_000_000;
+    Instant setBack = BEGIN.minusSeconds(100);
+    ScaledTime late = ScaledTime.parse(early.onThisComputer(boot), boot, () -> setBack, real);
+
+    assertThat(late.instant()).isEqualTo(early.instant()).isEqualTo(BEGIN.plusSeconds(48));
+    assertThat(late.onThisComputer(boot)).isEqualTo(early.onThisComputer(boot));
+  }
+
+  @Test
+  void goesByTheClockOnAnotherComputerAndAfterAnotherBoot() {
+    ScaledTime here = new ScaledTime(4, BEGIN, () -> BEGIN, real);
+    String text = here.onThisComputer(new BootClock("1b9d6bcd"));
+    assertThat(text).isEqualTo("4x since 2026-11-21T16:00:00Z (boot 1b9d6bcd, 0.000007000 s)");
+    real.nanos += 500_000_000_000L;
+    for (String other : new String[] {"77aa", null}) {
+      ScaledTime there =
+          ScaledTime.parse(text, new BootClock(other), () -> BEGIN.plusSeconds(3), real);
+      assertThat(there.instant()).isEqualTo(BEGIN.plusSeconds(12));
+    }
+    assertThat(here.onThisComputer(new BootClock(null))).isEqualTo(here.toString());
+  }
+
+  @Test
+  void readsWhatItWritesForThisComputer() {
+    String text = ScaledTime.parse("4x since 2026-11-21T16:00:00Z").onThisComputer();
+    assertThat(ScaledTime.parse(text).onThisComputer()).isEqualTo(text);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"4x since 2026-11-21T16:00:00Z", "0.5x since 2026-11-21T16:00:00.250Z"})
   void readsWhatItWrites(String text) {

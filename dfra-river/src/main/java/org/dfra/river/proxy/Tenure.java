@@ -187,7 +187,17 @@ final class Tenure implements AutoCloseable {
   }
 
   private void look() {
-    Thread.currentThread().setContextClassLoader(loader);
+    Thread thread = Thread.currentThread();
+    @Nullable ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(loader);
+    try {
+      lookAfterIt();
+    } finally {
+      thread.setContextClassLoader(before);
+    }
+  }
+
+  private void lookAfterIt() {
     Lease held;
     boolean over;
     synchronized (this) {
@@ -211,7 +221,6 @@ final class Tenure implements AutoCloseable {
     } catch (RemoteException | LeaseRefusedException | RuntimeException e) {
       missed(e);
     } finally {
-      Thread.currentThread().setContextClassLoader(null);
       start();
     }
   }

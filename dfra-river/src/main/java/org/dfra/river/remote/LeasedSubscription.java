@@ -1,10 +1,14 @@
 package org.dfra.river.remote;
 
+import java.io.Serial;
 import java.io.Serializable;
 import java.rmi.RemoteException;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.event.DeliveryPolicy.Kind;
@@ -13,16 +17,32 @@ import org.dfra.event.Subscription;
 /**
  * What a server gives for a listener: its lease, and where its events begin. It neither renews
  * itself nor counts; the client's proxy does.
- *
- * @param lease ends the registration unless it is renewed
- * @param epoch the module's epoch when the listener was registered
- * @param numbers the last number of each kind of event by then, by ordinal
  */
-public record LeasedSubscription(Lease lease, long epoch, List<Long> numbers)
-    implements Subscription, Serializable {
+public final class LeasedSubscription implements Subscription, Serializable {
 
-  public LeasedSubscription {
-    numbers = List.copyOf(numbers);
+  /** Of the record that this was once. */
+  @Serial private static final long serialVersionUID = 0;
+
+  private final Lease lease;
+  private final long epoch;
+  private final List<Long> numbers;
+  private final transient LeaseSpan span;
+
+  /**
+   * @param lease ends the registration unless it is renewed
+   * @param epoch the module's epoch when the listener was registered
+   * @param numbers the last number of each kind of event by then, by ordinal
+   */
+  public LeasedSubscription(Lease lease, long epoch, List<Long> numbers) {
+    this(lease, epoch, numbers, InstantSource.system(), System::nanoTime);
+  }
+
+  /** For tests: by another time. */
+  LeasedSubscription(
+      Lease lease, long epoch, List<Long> numbers, InstantSource clock, LongSupplier nanos) {
+    this.lease = Objects.requireNonNull(lease, "lease");
+    this.epoch = epoch;
+    this.numbers = List.copyOf(numbers);
     if (numbers.size() != Kind.values().length) {
       throw new IllegalArgumentException(
           "a subscription that numbers "
@@ -30,6 +50,28 @@ public record LeasedSubscription(Lease lease, long epoch, List<Long> numbers)
               + " kinds of events, where there are "
               + Kind.values().length);
     }
+    this.span = new LeaseSpan(lease, clock, nanos);
+  }
+
+  /** Checks what has arrived, and turns the lease into a span of this computer's time. */
+  @Serial
+  private Object readResolve() {
+    return new LeasedSubscription(lease, epoch, numbers);
+  }
+
+  /** The lease, for who renews it. */
+  public Lease lease() {
+    return lease;
+  }
+
+  /** The module's epoch when the listener was registered. */
+  public long epoch() {
+    return epoch;
+  }
+
+  /** The last number of each kind of event by then, by ordinal. */
+  public List<Long> numbers() {
+    return numbers;
   }
 
   /** {@inheritDoc} Not counted here. */
@@ -53,7 +95,7 @@ public record LeasedSubscription(Lease lease, long epoch, List<Long> numbers)
   /** {@inheritDoc} As far as is known here. */
   @Override
   public boolean isOpen() {
-    return lease.getExpiration() > System.currentTimeMillis();
+    return span.isLive();
   }
 
   /** {@inheritDoc} Where the server cannot be reached, it ends with its lease. */

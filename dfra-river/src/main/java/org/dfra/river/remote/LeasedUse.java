@@ -1,24 +1,53 @@
 package org.dfra.river.remote;
 
+import java.io.Serial;
 import java.io.Serializable;
 import java.rmi.RemoteException;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Objects;
+import java.util.function.LongSupplier;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.ModuleLease;
 
 /**
  * What a server gives to a client: its lease. It does not renew itself; the client's proxy does.
- *
- * @param lease counts its holder as a client unless it runs out
  */
-public record LeasedUse(Lease lease) implements ModuleLease, Serializable {
+public final class LeasedUse implements ModuleLease, Serializable {
 
-  public LeasedUse {
-    Objects.requireNonNull(lease, "lease");
+  /** Of the record that this was once. */
+  @Serial private static final long serialVersionUID = 0;
+
+  private final Lease lease;
+  private final transient LeaseSpan span;
+
+  /**
+   * @param lease counts its holder as a client unless it runs out
+   */
+  public LeasedUse(Lease lease) {
+    this.lease = Objects.requireNonNull(lease, "lease");
+    this.span = new LeaseSpan(lease);
   }
 
+  /** For tests: by another time. */
+  LeasedUse(Lease lease, InstantSource clock, LongSupplier nanos) {
+    this.lease = lease;
+    this.span = new LeaseSpan(lease, clock, nanos);
+  }
+
+  /** Checks what has arrived, and turns the lease into a span of this computer's time. */
+  @Serial
+  private Object readResolve() {
+    return new LeasedUse(lease);
+  }
+
+  /** The lease, for who renews it. */
+  public Lease lease() {
+    return lease;
+  }
+
+  /** {@inheritDoc} For display: it goes by the wall clock. */
   @Override
   public Instant expiration() {
     return Instant.ofEpochMilli(lease.getExpiration());
@@ -26,7 +55,7 @@ public record LeasedUse(Lease lease) implements ModuleLease, Serializable {
 
   @Override
   public boolean isLive() {
-    return lease.getExpiration() > System.currentTimeMillis();
+    return span.isLive();
   }
 
   /** {@inheritDoc} Where the server cannot be reached, it ends when it runs out. */

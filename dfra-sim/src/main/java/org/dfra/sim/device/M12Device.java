@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
@@ -12,21 +13,25 @@ import org.jspecify.annotations.Nullable;
  * What an M12+ does between its two wires.
  *
  * <p>Commands: {@code @@Ha}, {@code @@Hb}, {@code @@Hn}, {@code @@Ea}, {@code @@En} with a rate
- * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once, and
- * {@code @@Bb} every half minute where its rate is not 0), {@code @@Cj} (identification),
- * {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0 to 3, FF asks), {@code @@At} (0
- * to 2, FF asks), {@code @@Ge} (time RAIM), {@code @@Gb} (date and time, which it obeys only while
- * it has no fix), {@code @@As} (the position to hold; out of range asks), {@code @@Cf} (defaults:
- * sends nothing by itself any more). Everything else, and every damaged command, is ignored. The
- * settings outlive a client, as those of a receiver outlive the computer on its line.
+ * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once; where their
+ * byte is not 0 also {@code @@Bb} every half minute, and {@code @@Bo} when it changes),
+ * {@code @@Cj} (identification), {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0
+ * to 3, FF asks), {@code @@At} (0 to 2, FF asks), {@code @@Ge} (time RAIM), {@code @@Gb} (date and
+ * time, which it obeys only while it has no fix), {@code @@As} (the position to hold; out of range
+ * asks), {@code @@Cf} (defaults: sends nothing by itself any more). Everything else, and every
+ * damaged command, is ignored. The settings outlive a client, as those of a receiver outlive the
+ * computer on its line.
  */
 public final class M12Device implements SerialDevice {
 
   /** With more than this waiting the line is too slow for what was asked; a message is left out. */
   private static final int LONGEST_QUEUE = 1024;
 
+  private static final Set<String> OF_12_CHANNELS = Set.of("Ha", "Hb", "Hn", "Gd");
+
   private final AntennaPath path;
   private final Duration timeToFirstFix;
+  private final M12Options options;
   private final UartLine line;
   private final M12CommandReader commands = new M12CommandReader(this::obey);
 
@@ -35,6 +40,9 @@ public final class M12Device implements SerialDevice {
 
   private final Map<String, Schedule> schedules = new LinkedHashMap<>();
   private boolean tellsUtc = true;
+  private boolean knowsUtc;
+  private boolean tellsOffset; // when it changes
+  private int toldOffset;
   private int positionControl;
   private boolean timeRaim;
   private @Nullable GeoPosition held;
@@ -49,7 +57,17 @@ public final class M12Device implements SerialDevice {
    *     for satellites before it has a position
    */
   public M12Device(AntennaPath path, int baud, Duration timeToFirstFix) {
+    this(path, baud, timeToFirstFix, M12Options.USUAL);
+  }
+
+  /**
+   * The same.
+   *
+   * @param options how many channels it has, and when it learns UTC
+   */
+  public M12Device(AntennaPath path, int baud, Duration timeToFirstFix, M12Options options) {
     this.path = path;
+    this.options = options;
     this.line = new UartLine(baud);
     this.timeToFirstFix = timeToFirstFix;
   }
@@ -76,6 +94,10 @@ public final class M12Device implements SerialDevice {
       powerOn = time;
     }
     now = time;
+    knowsUtc |= !time.isBefore(powerOn.plus(options.timeToUtc())); // and does not forget it
+    if (tellsOffset && toldOffset != utcOffset()) {
+      tellOffset();
+    }
     schedules.forEach(
         (id, schedule) -> {
           Instant due = schedule.due(time);
@@ -86,6 +108,9 @@ public final class M12Device implements SerialDevice {
   }
 
   private void obey(String id, byte[] argument) {
+    if (options.channels() < 12 && OF_12_CHANNELS.contains(id)) {
+      return;
+    }
     int first = argument.length == 0 ? 0 : argument[0] & 0xFF;
     switch (id) {
       case "Ha", "Hb", "Hn", "Ea", "En" -> {
@@ -97,7 +122,10 @@ public final class M12Device implements SerialDevice {
         repeat(id, first == 0 ? 0 : SKY_PERIOD);
         tell(id, now);
       }
-      case "Bo" -> say("Bo", M12Frames.UTC_OFFSET);
+      case "Bo" -> {
+        tellsOffset = first != 0;
+        tellOffset();
+      }
       case "Cj" -> line.send(M12Frames.identification(), now);
       case "Aw" -> setTimeScale(first);
       case "Gd" -> setPositionControl(first);
@@ -110,6 +138,7 @@ public final class M12Device implements SerialDevice {
       case "As" -> setHeld(argument);
       case "Cf" -> {
         schedules.clear();
+        tellsOffset = false;
         tellsUtc = true;
         positionControl = 0;
         timeRaim = false;
@@ -127,6 +156,16 @@ public final class M12Device implements SerialDevice {
 
   private void say(String id, int value) {
     line.send(M12Frames.frame(id, new byte[] {(byte) value}), now);
+  }
+
+  private void tellOffset() {
+    toldOffset = utcOffset();
+    say("Bo", toldOffset);
+  }
+
+  /** GPS time minus UTC, seconds; 0 while it has not learned it. */
+  private int utcOffset() {
+    return knowsUtc ? M12Frames.UTC_OFFSET : 0;
   }
 
   private void setTimeScale(int argument) {
@@ -182,7 +221,8 @@ public final class M12Device implements SerialDevice {
       return;
     }
     M12Frames.Moment moment =
-        new M12Frames.Moment(told(time), tellsUtc, hasFix(time), holds(), antenna(time));
+        new M12Frames.Moment(
+            told(time), utcOffset(), tellsUtc, hasFix(time), holds(), antenna(time));
     line.send(
         switch (id) {
           case "Ha" -> M12Frames.position12(moment);

@@ -15,7 +15,8 @@ public final class M12Emulator extends DeviceEmulator {
     super(
         "m12",
         settings.port(),
-        new M12Device(settings.path(), settings.baud(), settings.timeToFirstFix()),
+        new M12Device(
+            settings.path(), settings.baud(), settings.timeToFirstFix(), settings.options()),
         clock);
   }
 }

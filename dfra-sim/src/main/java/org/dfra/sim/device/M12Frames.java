@@ -65,7 +65,8 @@ final class M12Frames {
     out.putShort((short) moment.status());
     out.putShort((short) 0).putShort((short) -12).putInt(99_800); // reserved, bias, oscillator
     out.putShort((short) 56); // 28 °C
-    out.put((byte) ((moment.tellsUtc() ? 0x80 : 0) | 0x40 | UTC_OFFSET));
+    int isKnown = moment.utcOffset() != 0 ? 0x40 : 0;
+    out.put((byte) ((moment.tellsUtc() ? 0x80 : 0) | isKnown | moment.utcOffset()));
     out.put((byte) 0).put((byte) 0).put((byte) 0); // local time is UTC
     out.put("EMU001".getBytes(StandardCharsets.US_ASCII));
     return frame("Ha", out.array());
@@ -220,13 +221,19 @@ final class M12Frames {
    * What a message tells of.
    *
    * @param utc the time by the receiver's clock
+   * @param utcOffset GPS time minus UTC as far as it has learned that, seconds; 0 where it has not
    * @param tellsUtc whether it is told as UTC; otherwise as GPS time
    * @param hasFix whether it has found its satellites
    * @param holds whether its position is held
    * @param antenna where it says it is
    */
   record Moment(
-      Instant utc, boolean tellsUtc, boolean hasFix, boolean holds, AntennaState antenna) {
+      Instant utc,
+      int utcOffset,
+      boolean tellsUtc,
+      boolean hasFix,
+      boolean holds,
+      AntennaState antenna) {
 
     Sky sky() {
       return hasFix ? Sky.found(utc) : Sky.searching(utc);
@@ -246,8 +253,8 @@ final class M12Frames {
   }
 
   private static void putTime(ByteBuffer out, Moment moment) {
-    Instant utc = moment.utc();
-    Instant told = moment.tellsUtc() ? utc : utc.plusSeconds(UTC_OFFSET);
+    Instant gps = moment.utc().plusSeconds(UTC_OFFSET);
+    Instant told = moment.tellsUtc() ? gps.minusSeconds(moment.utcOffset()) : gps;
     LocalDateTime time = LocalDateTime.ofInstant(told, ZoneOffset.UTC);
     out.put((byte) time.getMonthValue()).put((byte) time.getDayOfMonth());
     out.putShort((short) time.getYear());

@@ -75,6 +75,20 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
   private int baud;
 
   @Option(
+      names = "--channels",
+      defaultValue = "12",
+      description = "Of M12: 8 or 12. Default: ${DEFAULT-VALUE}.")
+  private int channels;
+
+  @Option(
+      names = "--utc-after",
+      defaultValue = "0",
+      description =
+          "Of M12: seconds until it has learned the offset of UTC, as after a start without an"
+              + " almanac. Default: ${DEFAULT-VALUE}.")
+  private int utcAfter;
+
+  @Option(
       names = "--terminal",
       description = "Have a pseudo-terminal as well, which drivers take for a serial port.")
   private boolean terminal;
@@ -125,7 +139,12 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
       AntennaPath path = AntennaPath.fixed(new GeoPosition(latitude, longitude, height));
       SerialDevice device =
           switch (protocol) {
-            case M12 -> new M12Device(path, baud, Duration.ZERO);
+            case M12 ->
+                new M12Device(
+                    path,
+                    baud,
+                    Duration.ZERO,
+                    new M12Options(channels, Duration.ofSeconds(utcAfter)));
             case NMEA -> new NmeaDevice(path, baud, Duration.ZERO);
             case UBX -> new UbxDevice(path, baud, Duration.ZERO);
             case GPSD -> new GpsdDevice(path, baud, Duration.ZERO);

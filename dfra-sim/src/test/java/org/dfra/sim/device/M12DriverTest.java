@@ -18,6 +18,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -25,6 +26,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The real driver and the emulated receiver over TCP. Driver and receiver live by a clock that runs
@@ -106,6 +109,31 @@ class M12DriverTest {
                           "atrv1/gps_front is INITIALIZING: the receiver has no position yet, it is"
                               + " acquiring satellites, 2 of 11 tracked"));
       awaitReadiness(gps, Readiness.READY);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {8, 12})
+  void doesNotTakeGpsTimeForUtcBeforeTheReceiverHasLearnedTheDifference(int channels)
+      throws IOException {
+    M12Settings withoutAlmanac =
+        M12Settings.at(PLACE)
+            .withBaud(115_200)
+            .withOptions(new M12Options(channels, Duration.ofSeconds(60)));
+    try (M12Emulator fresh = new M12Emulator(withoutAlmanac, clock);
+        M12PlusImpl gps = started(fresh)) {
+      awaitReadiness(gps, Readiness.READY);
+      GpsFix early = gps.fix();
+      assertThat(early.utc())
+          .as("it reports GPS time, 18 s ahead; the computer's clock is taken")
+          .isBeforeOrEqualTo(clock.instant());
+      assertThatThrownBy(gps::time)
+          .isInstanceOf(NotReadyException.class)
+          .hasMessageContaining("has not yet learned from the satellites how far GPS time is");
+      TimeReading time =
+          await().ignoreException(NotReadyException.class).until(gps::time, t -> true);
+      assertThat(time.utc()).isBeforeOrEqualTo(clock.instant());
+      assertThat(time.hostOffset()).isBetween(Duration.ZERO, Duration.ofSeconds(17));
     }
   }
 

@@ -32,7 +32,7 @@ class M12FramesTest {
     GeoPosition place = new GeoPosition(190_477_129 / 3.6e6, 24_720_144 / 3.6e6, 55.91);
     byte[] frame =
         M12Frames.position12(
-            new M12Frames.Moment(TIME, true, true, false, new AntennaState(place, 0, 0)));
+            new M12Frames.Moment(TIME, 18, true, true, false, new AntennaState(place, 0, 0)));
     assertThat(frame).hasSize(154);
     // head, date, time and four coordinates: the bytes a real receiver sent at this place and time
     assertThat(HexFormat.of().formatHex(frame, 0, 31))
@@ -51,7 +51,8 @@ class M12FramesTest {
   void theDriverReadsTheTwelveChannelMessage() {
     Position12Channels message =
         (Position12Channels)
-            decoded(M12Frames.position12(new M12Frames.Moment(TIME, true, true, false, ANTENNA)));
+            decoded(
+                M12Frames.position12(new M12Frames.Moment(TIME, 18, true, true, false, ANTENNA)));
     assertThat(message.utc()).isEqualTo(TIME);
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(message.position().latitude()).isCloseTo(PLACE.latitude(), within(HALF_MAS));
@@ -72,7 +73,7 @@ class M12FramesTest {
 
   @Test
   void theDriverReadsTheEightChannelMessage() {
-    byte[] frame = M12Frames.position8(new M12Frames.Moment(TIME, true, true, false, ANTENNA));
+    byte[] frame = M12Frames.position8(new M12Frames.Moment(TIME, 18, true, true, false, ANTENNA));
     assertThat(frame).hasSize(76);
     Position8Channels message = (Position8Channels) decoded(frame);
     assertThat(message.utc()).isEqualTo(TIME);
@@ -87,14 +88,16 @@ class M12FramesTest {
   void aReceiverThatSearchesHasNoFix() {
     Position12Channels message =
         (Position12Channels)
-            decoded(M12Frames.position12(new M12Frames.Moment(TIME, true, false, false, ANTENNA)));
+            decoded(
+                M12Frames.position12(new M12Frames.Moment(TIME, 18, true, false, false, ANTENNA)));
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.NONE);
     assertThat(message.status().state()).isEqualTo(ReceiverStatus.State.ACQUIRING);
     assertThat(message.status().tooFewSatellites()).isTrue();
     assertThat(message.tracked()).isEqualTo(2);
     Position8Channels old =
         (Position8Channels)
-            decoded(M12Frames.position8(new M12Frames.Moment(TIME, true, false, false, ANTENNA)));
+            decoded(
+                M12Frames.position8(new M12Frames.Moment(TIME, 18, true, false, false, ANTENNA)));
     assertThat(old.mode()).isEqualTo(GpsFix.Mode.NONE);
   }
 
@@ -102,7 +105,8 @@ class M12FramesTest {
   void gpsTimeIsAheadOfUtcAndTheDriverConvertsIt() {
     Position12Channels message =
         (Position12Channels)
-            decoded(M12Frames.position12(new M12Frames.Moment(TIME, false, true, false, ANTENNA)));
+            decoded(
+                M12Frames.position12(new M12Frames.Moment(TIME, 18, false, true, false, ANTENNA)));
     assertThat(message.time().second()).isEqualTo((29 + 18) % 60);
     assertThat(message.utc()).isEqualTo(TIME);
   }
@@ -128,7 +132,8 @@ class M12FramesTest {
         Position12Channels message =
             (Position12Channels)
                 decoded(
-                    M12Frames.position12(new M12Frames.Moment(TIME, true, true, false, corner)));
+                    M12Frames.position12(
+                        new M12Frames.Moment(TIME, 18, true, true, false, corner)));
         assertThat(message.position().toGeoPosition()).isEqualTo(corner.position());
       }
     }

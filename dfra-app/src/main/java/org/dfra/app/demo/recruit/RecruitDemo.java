@@ -77,7 +77,7 @@ public final class RecruitDemo implements Demo {
   private void play(Stage stage) throws Exception {
     try (ToldTime time = new ToldTime()) {
       Instant began = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).toString());
+      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).onThisComputer());
       InstantSource clock = RobotTime.clock();
       WorldDescription world = WorldXml.read(WORLD);
       List<String> names = world.vehicles().stream().map(each -> each.name()).toList();

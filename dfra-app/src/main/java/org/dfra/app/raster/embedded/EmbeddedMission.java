@@ -105,7 +105,7 @@ public final class EmbeddedMission implements Mission {
   public Flight run(MissionListener listener) throws Exception {
     try (ToldTime time = new ToldTime()) {
       Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, now).toString());
+      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, now).onThisComputer());
       InstantSource clock = RobotTime.clock();
       try (Simulation simulation = Simulation.overTcp(scenario.world(), clock, Ports.ANY);
           Team team = new Team()) {

@@ -61,9 +61,7 @@ class TrackersOnFieldTest {
             seed -> {
               Field field = new Field(seed, question.errors(), SECONDS);
               PoseTracker tracker =
-                  question
-                      .kind()
-                      .create(TrackerTable.told(question.told()), "r/map", Field.DATUM);
+                  question.kind().create(TrackerTable.told(question.told()), "r/map", Field.DATUM);
               return new Ride(field, tracker).go(FROM).compare(FROM, SECONDS);
             })
         .toList();
@@ -97,7 +95,8 @@ class TrackersOnFieldTest {
   @Test
   void isAsGoodAsItSays() {
     double[] nees = ride(TrackerKind.KALMAN, Errors.WHITE.withBias(1.5), 1.5, Ride::nees);
-    // Two numbers estimated: 2 for a linear filter that is told all. Slip comes in spells of 2 s and
+    // Two numbers estimated: 2 for a linear filter that is told all. Slip comes in spells of 2 s
+    // and
     // not white, encoders and turning are simplified; half of it to one and a half of it will do.
     Figure figure = Figure.of(nees);
     assertThat(figure.atMost()).as("not overcautious: %s", figure).isGreaterThan(1);

@@ -1,0 +1,315 @@
+package org.dfra.core.behavior;
+
+import java.rmi.RemoteException;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.core.behavior.StatusLine.Extent;
+import org.dfra.core.chain.ControlLoop;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * Executes a behaviour's goals, one at a time: its control loop has the goal's {@link Pursuit} make
+ * a step in every cycle, and what the step comes to moves the behaviour's status along the arrows
+ * of {@link Phase}.
+ *
+ * <p>A cycle may be held up by a module that does not answer. Nobody waits for it for long: who
+ * stops the goal is obeyed at once, and the cycle comes to rest at its end.
+ *
+ * <p>Threads: the loop's own, from the first goal to {@link #close}.
+ */
+final class GoalExecutor implements AutoCloseable {
+
+  /** How long a cycle that is under way is waited for: less than a call's deadline. */
+  private static final long PATIENCE_MILLIS = 1000;
+
+  /** Takes up a goal. */
+  @FunctionalInterface
+  interface Beginning {
+
+    /** See {@link BehaviorImpl#begin} and {@link BehaviorImpl#prepare}. */
+    Pursuit begin() throws RemoteException;
+  }
+
+  private final String path;
+  private final Logger log;
+  private final Consumer<Throwable> faults;
+  private final ControlLoop loop;
+
+  /** Held during every cycle and while a goal is taken up; others are called under it. */
+  private final ReentrantLock cycling = new ReentrantLock();
+
+  private @Nullable Pursuit pursuit; // guarded by cycling; the last that was begun
+  private boolean isAtRest; // guarded by cycling
+
+  /** Its lock is taken after {@link #cycling}. */
+  private final StatusLine said;
+
+  private volatile boolean isOver;
+
+  /**
+   * @param path of the behaviour, for messages
+   * @param rate cycles per second, hertz
+   * @param said the behaviour's status, which nobody else moves
+   * @param faults is told what a pursuit threw that it should not
+   */
+  GoalExecutor(
+      String path,
+      Scheduler time,
+      double rate,
+      StatusLine said,
+      Logger log,
+      Consumer<Throwable> faults) {
+    this.path = path;
+    this.said = said;
+    this.log = log;
+    this.faults = faults;
+    this.loop = new ControlLoop("dfra-behavior " + path, time, rate, this::cycle);
+  }
+
+  /** See {@link ControlLoop#lateness}. */
+  double lateness(double share) {
+    return loop.lateness(share);
+  }
+
+  /** Cycles that were left out, since others took too long. */
+  long missed() {
+    return loop.missed();
+  }
+
+  /** Whether it executes nothing any more. */
+  boolean isOver() {
+    return isOver;
+  }
+
+  /**
+   * Takes up a goal.
+   *
+   * @param requireReady throws where the behaviour takes up none now
+   * @return what names it
+   * @throws GoalRefusedException if there is one already, or a cycle is held up
+   */
+  UUID takeUp(Runnable requireReady, Beginning goal) throws RemoteException {
+    if (!await(cycling)) {
+      throw GoalRefusedException.busy(
+          path + " waits for a module that does not answer; ask again in a few seconds");
+    }
+    try {
+      requireReady.run();
+      if (said.phase().isUnderWay()) {
+        throw GoalRefusedException.busy(
+            path
+                + " is at another goal ("
+                + said.now().doing()
+                + "); cancel that first, or wait for its end");
+      }
+      return begin(goal.begin(), Phase.RUNNING, "it begins", Extent.NONE);
+    } finally {
+      cycling.unlock();
+    }
+  }
+
+  /** Goes on with what was begun in an earlier life. */
+  void restore(Pursuit begun, Phase phase, Extent before) {
+    cycling.lock();
+    try {
+      UUID unused = begin(begun, phase, "it was begun before this process", before);
+    } finally {
+      cycling.unlock();
+    }
+  }
+
+  private UUID begin(Pursuit begun, Phase phase, String doing, Extent extent) {
+    UUID id = UUID.randomUUID();
+    said.begin(id, phase, doing, extent);
+    pursuit = begun;
+    isAtRest = true;
+    if (phase == Phase.RUNNING) {
+      loop.start();
+    }
+    return id;
+  }
+
+  /**
+   * Goes on with a goal that is paused.
+   *
+   * @param isAttended whether a person asks for it; a program has only that go on which is not
+   *     {@linkplain BehaviorStatus#heldSince held}
+   */
+  void resume(boolean isAttended) {
+    synchronized (said) { // who pauses it again is to find the loop that he stops
+      if (!isOver
+          && (isAttended || said.now().heldSince() == null)
+          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
+        loop.start();
+      }
+    }
+  }
+
+  /**
+   * Somebody wants it to stop: rests and says so; says so at once where a cycle is held up.
+   *
+   * @param wanted {@link Phase#PAUSED} or {@link Phase#CANCELLED}
+   * @param only the goal that is meant; null for whichever is being pursued
+   * @param isAttended false where a program stops it, so that it is not held
+   */
+  void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
+    Set<Phase> from =
+        wanted == Phase.CANCELLED
+            ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
+            : EnumSet.of(Phase.RUNNING);
+    boolean isIdle = !cycling.isHeldByCurrentThread() && await(cycling);
+    try {
+      synchronized (said) { // no other goal is taken up between the question and the stop
+        BehaviorStatus now = said.now();
+        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
+          return;
+        }
+        if (!from.contains(now.phase())) {
+          return;
+        }
+        loop.stop();
+        if (!isIdle) {
+          boolean unused = said.move(from, wanted, why, isAttended);
+        }
+      }
+      if (isIdle) {
+        rest();
+        boolean unused = said.move(from, wanted, why, isAttended);
+      }
+    } finally {
+      if (isIdle) {
+        cycling.unlock();
+      }
+    }
+  }
+
+  /**
+   * Somebody pauses what pauses already, or stops a goal that the process before this one pursued:
+   * nothing moves, and nothing is to go on by itself from now on.
+   */
+  private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
+    if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
+      return said.move(
+          EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
+    }
+    return now.phase() == Phase.PAUSED
+        && wanted == Phase.PAUSED
+        && isAttended
+        && said.move(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
+  }
+
+  /** Ends for good; what is being pursued comes to rest, and its status stays. */
+  @Override
+  public void close() {
+    isOver = true;
+    loop.close(); // a cycle that waits for another module is interrupted
+    if (await(cycling)) {
+      try {
+        rest();
+        pursuit = null;
+      } finally {
+        cycling.unlock();
+      }
+    } else {
+      log.warn("{}: a cycle does not end; what it commands ends with its leases", path);
+    }
+  }
+
+  /** Takes the lock, unless a cycle holds it for long. */
+  private static boolean await(ReentrantLock lock) {
+    boolean interrupted = false;
+    try {
+      while (true) {
+        try {
+          return lock.tryLock(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
+      }
+    } finally {
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private void cycle() {
+    cycling.lock();
+    try {
+      @Nullable Pursuit now = pursuit;
+      if (now == null || isOver || said.phase() != Phase.RUNNING) {
+        return;
+      }
+      isAtRest = false;
+      try {
+        take(StepResult.of(now));
+      } catch (RuntimeException | Error e) { // numbers that cannot be, say
+        take(new StepResult.Faulty(e));
+      }
+      if (said.phase() != Phase.RUNNING && !isOver) { // stopped meanwhile, or ended
+        rest();
+      }
+    } finally {
+      cycling.unlock();
+    }
+  }
+
+  private void take(StepResult result) {
+    if (result instanceof StepResult.Advanced advanced) {
+      take(advanced.progress());
+    } else if (result instanceof StepResult.Waiting waiting) {
+      if (!isOver) { // whoever ends it has it rest
+        rest();
+        said.goOn("it waits: " + waiting.inWords(), Extent.of(said.now()));
+      }
+    } else if (result instanceof StepResult.Stopped stopped) {
+      end(stopped.phase(), stopped.why(), Extent.of(said.now()));
+    } else if (result instanceof StepResult.Faulty faulty) {
+      log.error("{}: a cycle failed", path, faulty.fault());
+      faults.accept(faulty.fault());
+      end(Phase.FAILED, "a fault of the behaviour: " + faulty.fault(), Extent.of(said.now()));
+    }
+  }
+
+  private void take(Progress progress) {
+    Extent extent = Extent.of(progress).notBelow(said.now().done());
+    switch (progress.outcome()) {
+      case REACHED -> end(Phase.SUCCEEDED, progress.doing(), extent.notBelow(1));
+      case FAILED -> end(Phase.FAILED, progress.doing(), extent);
+      case CANCELLED -> end(Phase.CANCELLED, progress.doing(), extent);
+      case HELD -> end(Phase.PAUSED, progress.doing(), extent);
+      default -> said.goOn(progress.doing(), extent);
+    }
+  }
+
+  /** A cycle has come to an end of the pursuit, or to a pause. */
+  private void end(Phase phase, String why, Extent extent) {
+    loop.stop();
+    rest();
+    said.end(phase, why, extent);
+  }
+
+  /** Holds the lock of cycles. */
+  private void rest() {
+    @Nullable Pursuit now = pursuit;
+    if (now == null || isAtRest) {
+      return;
+    }
+    isAtRest = true;
+    try {
+      now.rest();
+    } catch (RuntimeException e) { // a fault; what it commands ends with its leases
+      log.error("{}: it could not come to rest", path, e);
+      faults.accept(e);
+    }
+  }
+}
