@@ -2,6 +2,7 @@ package org.dfra.core.behavior;
 
 import java.time.Instant;
 import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
 import java.util.Objects;
 import java.util.Set;
 import java.util.UUID;
@@ -58,7 +59,7 @@ final class StatusLine {
 
   /** There is a new goal, whatever was before. One that begins with a pause waits for a person. */
   synchronized void begin(UUID goal, Phase phase, String doing, double done, int missed) {
-    say(goal, phase, doing, done, missed, phase == Phase.PAUSED ? clock.instant() : null);
+    say(goal, phase, doing, done, missed, phase == Phase.PAUSED ? held() : null);
   }
 
   /**
@@ -74,7 +75,7 @@ final class StatusLine {
       return false;
     }
     @Nullable Instant earlier = to == Phase.CANCELLED ? last.heldSince() : null;
-    @Nullable Instant held = isHeld ? clock.instant() : earlier;
+    @Nullable Instant held = isHeld ? held() : earlier;
     say(last.goal(), to, doing, last.done(), last.missed(), held);
     return true;
   }
@@ -92,8 +93,13 @@ final class StatusLine {
   synchronized void end(Phase phase, String why, double done, int missed) {
     if (status.phase() == Phase.RUNNING) {
       boolean isHeld = phase == Phase.PAUSED || phase == Phase.CANCELLED;
-      say(status.goal(), phase, why, done, missed, isHeld ? clock.instant() : null);
+      say(status.goal(), phase, why, done, missed, isHeld ? held() : null);
     }
+  }
+
+  /** As exact as the persona tells it, so that both name the same stop. */
+  private Instant held() {
+    return clock.instant().truncatedTo(ChronoUnit.MILLIS);
   }
 
   private void say(
