@@ -219,7 +219,8 @@ class RecruitmentAgentsIT {
           .until(
               () -> asking.status().requester() == RequesterPhase.CALLING || isMade(asking, FAR));
       Thread.sleep(calls * 1000L); // the time in which it would answer; nothing is to be awaited
-      assertThat(said).extracting(RecruitmentStatus::responder).containsOnly(ResponderPhase.FREE);
+      assertThat(said).allMatch(each -> each.responder() == ResponderPhase.FREE);
+      assertThat(helping.status().responder()).isEqualTo(ResponderPhase.FREE);
       assertThat(driving.status().phase()).isEqualTo(Phase.CANCELLED);
 
       helping.resume();

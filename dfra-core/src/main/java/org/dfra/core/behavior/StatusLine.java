@@ -2,6 +2,7 @@ package org.dfra.core.behavior;
 
 import java.time.Instant;
 import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
 import java.util.Objects;
 import java.util.Set;
 import java.util.UUID;
@@ -81,7 +82,7 @@ final class StatusLine {
 
   /** There is a new goal, whatever was before. One that begins with a pause waits for a person. */
   synchronized void begin(UUID goal, Phase phase, String doing, Extent extent) {
-    say(goal, phase, doing, extent, phase == Phase.PAUSED ? clock.instant() : null);
+    say(goal, phase, doing, extent, phase == Phase.PAUSED ? held() : null);
   }
 
   /**
@@ -97,7 +98,7 @@ final class StatusLine {
       return false;
     }
     @Nullable Instant earlier = to == Phase.CANCELLED ? last.heldSince() : null;
-    @Nullable Instant held = isHeld ? clock.instant() : earlier;
+    @Nullable Instant held = isHeld ? held() : earlier;
     say(last.goal(), to, doing, Extent.of(last), held);
     return true;
   }
@@ -115,8 +116,13 @@ final class StatusLine {
   synchronized void end(Phase phase, String why, Extent extent) {
     if (status.phase() == Phase.RUNNING) {
       boolean isHeld = phase == Phase.PAUSED || phase == Phase.CANCELLED;
-      say(status.goal(), phase, why, extent, isHeld ? clock.instant() : null);
+      say(status.goal(), phase, why, extent, isHeld ? held() : null);
     }
+  }
+
+  /** As exact as the persona tells it, so that both name the same stop. */
+  private Instant held() {
+    return clock.instant().truncatedTo(ChronoUnit.MILLIS);
   }
 
   private void say(

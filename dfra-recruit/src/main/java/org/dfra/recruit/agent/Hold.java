@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.core.module.ModuleContext;
@@ -37,6 +38,9 @@ final class Hold {
   /** No stop of it was dealt with yet. */
   private static final String STOPPED = "stopped";
 
+  /** Before what held it last, in the document. */
+  private static final String LAST = "=";
+
   /** In the document it stands where others have a module's path. */
   private static final String TRIP = "-";
 
@@ -46,6 +50,17 @@ final class Hold {
 
   /** Since when the last stop was that a person has dealt with, by the path of the module. */
   private final Map<String, String> ended = new TreeMap<>(); // guarded by this
+
+  /**
+   * What holds it.
+   *
+   * @param path of the module
+   * @param why as a clause
+   */
+  private record Reason(String path, String why) {}
+
+  /** Guarded by this; what held it last, until that is found and says that it does not any more. */
+  private @Nullable Reason last;
 
   private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
 
@@ -74,6 +89,9 @@ final class Hold {
   private void take(String[] line) {
     if (line[0].equals(TRIP)) {
       unknown = line[1];
+    } else if (line[0].equals(LAST)) {
+      String[] reason = line[1].split(" ", 2);
+      last = new Reason(reason[0], reason[reason.length - 1]);
     } else {
       ended.put(line[0], line[1]);
     }
@@ -85,6 +103,10 @@ final class Hold {
     ended.forEach((path, since) -> text.append(path).append(' ').append(since).append('\n'));
     if (unknown != null) {
       text.append(TRIP).append(' ').append(unknown.replace('\n', ' ')).append('\n');
+    }
+    @Nullable Reason reason = last;
+    if (reason != null) {
+      text.append(LAST + " " + reason.path() + " " + reason.why().replace('\n', ' ') + "\n");
     }
     try {
       context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
@@ -105,9 +127,23 @@ final class Hold {
       String known = stop.latched() ? STOPPED : text(stop.since());
       isNews |= ended.putIfAbsent(mover.path(), known) == null;
     }
+    Optional<Reason> now = live();
+    if (now.isPresent() && !now.get().equals(last)) {
+      last = now.get();
+      isNews = true;
+    } else if (now.isEmpty() && last != null && isFound(last.path())) {
+      last = null;
+      isNews = true;
+    }
     if (isNews) {
       keep();
     }
+  }
+
+  /** Holds the lock. In a new process nothing is found at first. */
+  private boolean isFound(String path) {
+    return Stream.concat(senses.movers().stream(), senses.behaviors().stream())
+        .anyMatch(each -> each.path().equals(path));
   }
 
   private static StopAttributes stop(ModuleListing<?> mover) {
@@ -122,8 +158,18 @@ final class Hold {
 
   /** Why it is held, as a clause; nothing where it is not. */
   synchronized Optional<String> why() {
-    return Optional.ofNullable(unknown)
-        .or(this::byEffector)
+    return Optional.ofNullable(unknown).or(() -> live().map(Reason::why)).or(this::notFoundAgain);
+  }
+
+  /** Holds the lock. What held it is not found now, as at first in a new process. */
+  private Optional<String> notFoundAgain() {
+    @Nullable Reason before = last;
+    return before == null || isFound(before.path()) ? Optional.empty() : Optional.of(before.why());
+  }
+
+  /** Holds the lock. */
+  private Optional<Reason> live() {
+    return byEffector()
         .or(
             () ->
                 senses.behaviors().stream()
@@ -132,26 +178,28 @@ final class Hold {
   }
 
   /** Holds the lock. */
-  private Optional<String> byEffector() {
+  private Optional<Reason> byEffector() {
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
+      String path = mover.path();
       if (stop.latched()) {
-        return Optional.of(mover.path() + " is stopped for an emergency");
+        return Optional.of(new Reason(path, path + " is stopped for an emergency"));
       }
       String since = text(stop.since());
-      if (!ended.getOrDefault(mover.path(), since).equals(since)) {
+      if (!ended.getOrDefault(path, since).equals(since)) {
         return Optional.of(
-            mover.path() + " was stopped for an emergency, and released at " + since);
+            new Reason(path, path + " was stopped for an emergency, and released at " + since));
       }
     }
     return Optional.empty();
   }
 
   /** Holds the lock. */
-  private Optional<String> byBehavior(ModuleListing<?> behavior, @Nullable Instant since) {
-    return since == null || since.toString().equals(ended.get(behavior.path()))
+  private Optional<Reason> byBehavior(ModuleListing<?> behavior, @Nullable Instant since) {
+    String path = behavior.path();
+    return since == null || since.toString().equals(ended.get(path))
         ? Optional.empty()
-        : Optional.of("somebody or something stopped " + behavior.path() + " at " + since);
+        : Optional.of(new Reason(path, "somebody or something stopped " + path + " at " + since));
   }
 
   /**
@@ -164,14 +212,16 @@ final class Hold {
       @Nullable Instant since = each.module().status().heldSince();
       Optional<String> held;
       synchronized (this) {
-        held = byBehavior(each, since);
+        held = byBehavior(each, since).map(Reason::why);
       }
       if (held.isPresent()) {
         return held;
       }
     }
     synchronized (this) {
-      return Optional.ofNullable(unknown).or(this::byEffector);
+      return Optional.ofNullable(unknown)
+          .or(() -> byEffector().map(Reason::why))
+          .or(this::notFoundAgain);
     }
   }
 
@@ -201,7 +251,9 @@ final class Hold {
   private synchronized boolean end(Instant until) {
     Map<String, String> before = new TreeMap<>(ended);
     @Nullable String unknownBefore = unknown;
+    @Nullable Reason lastBefore = last;
     unknown = null;
+    last = null;
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       if (!stop.latched() && !isAfter(stop.since(), until)) {
@@ -214,7 +266,8 @@ final class Hold {
         ended.put(each.path(), since.toString());
       }
     }
-    boolean isNews = !before.equals(ended) || !Objects.equals(unknownBefore, unknown);
+    boolean isNews =
+        !before.equals(ended) || !Objects.equals(unknownBefore, unknown) || lastBefore != null;
     if (isNews) {
       keep();
     }

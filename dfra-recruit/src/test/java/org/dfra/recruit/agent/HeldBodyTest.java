@@ -101,6 +101,23 @@ class HeldBodyTest extends BodyFixture {
     assertThat(isFree()).isTrue();
   }
 
+  /** In a new process nothing is found at first. */
+  @Test
+  void oneWhoseTripSomebodyStoppedIsNotFreeBeforeItsModulesAreFoundAgain() throws RemoteException {
+    stopOnItsWay(true);
+    assertThat(isFree()).isFalse();
+    body.close();
+    modules.hide(driver);
+    body = body();
+    assertThat(isFree()).isFalse();
+    modules.show(driver);
+    assertThat(isFree()).isFalse();
+    body.endHold();
+    modules.hide(driver);
+    assertThat(isFree()).isTrue();
+    modules.show(driver);
+  }
+
   @Test
   void whatHappensWhileItsAgentIsDeadCountsToo() throws RemoteException {
     UUID unused = search.pursue(FIELD);

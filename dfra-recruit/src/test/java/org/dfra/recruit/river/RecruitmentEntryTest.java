@@ -29,6 +29,13 @@ class RecruitmentEntryTest {
   }
 
   @Test
+  void whatOneThatIsHeldSaysComesBack() {
+    RecruitmentAttributes said =
+        new RecruitmentAttributes(List.of("mine"), 0.7, "affective", 20, 1, "somebody stopped it");
+    assertThat(Entries.records(Entries.of(List.of(said)))).containsExactly(said);
+  }
+
+  @Test
   void thatLacksWhatItsRecordMustHaveIsLeftOut() {
     RecruitmentEntry half = new RecruitmentEntry();
     half.percepts = List.of("mine");

@@ -1,6 +1,5 @@
 package org.dfra.river.entry;
 
-import java.time.Instant;
 import org.dfra.persona.BehaviorAttributes;
 import org.jspecify.annotations.Nullable;
 
@@ -25,8 +24,8 @@ public class BehaviorEntry extends ChainableEntry {
   /** How often it looks at its percepts, hertz. */
   public @Nullable Double rate;
 
-  /** When a person, a parking brake or an emergency stop stopped its goal. */
-  public @Nullable Instant heldSince;
+  /** When a person, a parking brake or an emergency stop stopped its goal, milliseconds of UTC. */
+  public @Nullable Long heldSince;
 
   /** With every field null. */
   public BehaviorEntry() {}

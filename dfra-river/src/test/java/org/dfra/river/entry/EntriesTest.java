@@ -15,6 +15,7 @@ import net.jini.io.MarshalledInstance;
 import net.jini.lookup.entry.Name;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
+import org.dfra.persona.BehaviorAttributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;
@@ -75,6 +76,9 @@ class EntriesTest {
           Instant.ofEpochMilli(123),
           List.of("a=b", "c"));
 
+  private static final BehaviorAttributes HELD =
+      new BehaviorAttributes("LegGoal", false, "PAUSED", 10, Instant.ofEpochMilli(1234));
+
   static Stream<List<Attributes>> sets() {
     return Stream.of(
         List.of(),
@@ -85,6 +89,7 @@ class EntriesTest {
         List.of(CHAIN),
         List.of(PERSONA),
         List.of(LASER),
+        List.of(MODULE, CHAIN, HELD),
         List.of(MODULE, CHAIN, SENSOR, GPS, POSE, LOCATION, PERSONA, LASER));
   }
 
