@@ -23,6 +23,7 @@ import org.dfra.app.sim.SimCommand;
 import org.dfra.app.stop.StopCommand;
 import org.dfra.app.task.TaskCommand;
 import org.dfra.app.terminal.Called;
+import org.dfra.app.terminal.Colour;
 import org.dfra.core.log.LogLevels;
 import org.dfra.module.LogLevel;
 import org.dfra.river.filter.SerialFilters;
@@ -135,6 +136,10 @@ public final class Main {
 
   private static CommandLine prepared(CommandLine line) {
     line.setCaseInsensitiveEnumValuesAllowed(true);
+    line.setColorScheme(
+        CommandLine.Help.defaultColorScheme(
+            Colour.isWanted() ? CommandLine.Help.Ansi.AUTO : CommandLine.Help.Ansi.OFF));
+    line.setHelpFactory(FoldedHelp::new);
     line.setParameterExceptionHandler(new WrongUse());
     line.setExecutionExceptionHandler(new PlainFailure());
     return line;

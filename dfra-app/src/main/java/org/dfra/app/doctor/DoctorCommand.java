@@ -14,6 +14,7 @@ import java.util.concurrent.Callable;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Terminal;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
@@ -69,7 +70,9 @@ public final class DoctorCommand implements Callable<Integer> {
       answer.outline(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
     } else {
       Ansi ansi = spec.commandLine().getColorScheme().ansi();
-      new Telling(ansi).of(findings).forEach(line -> answer.line(line, line));
+      new Telling(ansi, Terminal.textColumns())
+          .of(findings)
+          .forEach(line -> answer.line(line, line));
     }
     return well ? ExitCode.WELL : ExitCode.FAILED;
   }

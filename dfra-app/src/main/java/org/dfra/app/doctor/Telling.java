@@ -3,6 +3,7 @@ package org.dfra.app.doctor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.dfra.app.terminal.Words;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
@@ -13,22 +14,32 @@ final class Telling {
   private static final int SUBJECT_WIDTH =
       Arrays.stream(Subject.values()).mapToInt(each -> each.id().length()).max().orElse(0) + 2;
 
+  private static final int LABELS = VERDICT_WIDTH + SUBJECT_WIDTH;
+  private static final String BLANK = " ".repeat(LABELS);
+
   private final Ansi ansi;
+  private final int columns;
 
   /**
    * @param ansi whether the terminal has colours
+   * @param columns most of a line
    */
-  Telling(Ansi ansi) {
+  Telling(Ansi ansi, int columns) {
     this.ansi = ansi;
+    this.columns = columns;
   }
 
   List<String> of(List<Finding> findings) {
     List<String> lines = new ArrayList<>();
     for (Finding each : findings) {
-      lines.add(verdict(each.verdict()) + padded(each.subject().id(), SUBJECT_WIDTH) + each.what());
+      String line = verdict(each.verdict()) + padded(each.subject().id(), SUBJECT_WIDTH);
+      for (String part : Words.folded(each.what(), columns - LABELS)) {
+        lines.add(line + part);
+        line = BLANK;
+      }
       @Nullable String mend = each.mend();
       if (mend != null) {
-        lines.add(" ".repeat(VERDICT_WIDTH + SUBJECT_WIDTH) + "→ " + mend);
+        lines.addAll(Words.hanging(BLANK + "→ " + mend, columns, LABELS + 2));
       }
     }
     lines.add("");

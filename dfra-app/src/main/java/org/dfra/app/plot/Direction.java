@@ -3,6 +3,7 @@ package org.dfra.app.plot;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -31,12 +32,35 @@ final class Direction {
     }
     g.setColor(colour);
     arrows(points).forEach(each -> g.fill(shape(each)));
-    g.setStroke(Palette.THIN);
-    Point2D end = points.get(points.size() - 1);
     if (length(points) > 2 * START) {
-      g.fill(new Rectangle2D.Double(end.getX() - END, end.getY() - END, 2 * END, 2 * END));
+      paintEnd(g, points.get(points.size() - 1), colour);
     }
-    Point2D start = points.get(0);
+    paintStart(g, points.get(0), colour);
+  }
+
+  /**
+   * A path that is told in the legend: its start, its direction and its end.
+   *
+   * @param left where it starts, in pixels, as are all
+   * @param right where it ends
+   * @param y of all of it
+   */
+  static void paintKey(Graphics2D g, double left, double right, double y) {
+    g.setColor(Palette.GREY);
+    g.setStroke(Palette.stroke(0));
+    g.draw(new Line2D.Double(left, y, right, y));
+    g.fill(shape(new Arrow(new Point2D.Double((left + right) / 2, y), 0)));
+    paintEnd(g, new Point2D.Double(right, y), Palette.GREY);
+    paintStart(g, new Point2D.Double(left, y), Palette.GREY);
+  }
+
+  private static void paintEnd(Graphics2D g, Point2D end, Color colour) {
+    g.setColor(colour);
+    g.setStroke(Palette.THIN);
+    g.fill(new Rectangle2D.Double(end.getX() - END, end.getY() - END, 2 * END, 2 * END));
+  }
+
+  private static void paintStart(Graphics2D g, Point2D start, Color colour) {
     Ellipse2D ring =
         new Ellipse2D.Double(start.getX() - START, start.getY() - START, 2 * START, 2 * START);
     g.setColor(Palette.PAPER);

@@ -19,29 +19,51 @@ final class Legend {
 
   private final List<List<Entry>> lines = new ArrayList<>();
 
-  private record Entry(String text, Series.Style style, boolean isFaint, int number) {
+  /** What the marks of a path mean, behind its start, an arrow and its end. */
+  private static final String WAY = "start, direction, end";
+
+  private static final int KEY = 44; // wide, for what these take
+
+  /** What an entry shows before its text; the place is its left end, in pixels. */
+  @FunctionalInterface
+  private interface Sample {
+    void paint(Graphics2D g, double x, double y);
+  }
+
+  private record Entry(String text, int sample, Sample painter) {
 
     double width() {
-      return SAMPLE + GAP + Letters.width(text, Letters.PLAIN);
+      return sample + GAP + Letters.width(text, Letters.PLAIN);
     }
   }
 
   /**
    * @param all of whose names those that are not empty are told once each, in this order
+   * @param hasWays whether paths among them have marks, which are explained
    * @param width in pixels; a name that is longer is cut
    */
-  Legend(List<Series> all, double width) {
+  Legend(List<Series> all, boolean hasWays, double width) {
+    List<Entry> entries = new ArrayList<>();
     List<String> names = names(all);
-    double used = Double.POSITIVE_INFINITY;
     for (String name : names) {
       Series first =
           all.stream().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
-      Entry entry =
+      int number = names.indexOf(name);
+      entries.add(
           new Entry(
               Letters.fitting(name, Letters.PLAIN, width - SAMPLE - GAP),
-              first.style(),
-              first.isFaint(),
-              names.indexOf(name));
+              SAMPLE,
+              (g, x, y) -> sample(g, first, number, x, y)));
+    }
+    if (hasWays) {
+      entries.add(
+          new Entry(
+              Letters.fitting(WAY, Letters.PLAIN, width - KEY - GAP),
+              KEY,
+              (g, x, y) -> Direction.paintKey(g, x + GAP, x + KEY - GAP, y)));
+    }
+    double used = Double.POSITIVE_INFINITY;
+    for (Entry entry : entries) {
       if (used + BETWEEN + entry.width() > width) {
         lines.add(new ArrayList<>());
         used = -BETWEEN;
@@ -73,14 +95,14 @@ final class Legend {
       double width = line.stream().mapToDouble(Entry::width).sum() + BETWEEN * (line.size() - 1.0);
       double x = middle - width / 2;
       for (Entry each : line) {
-        sample(g, each, x, y);
+        each.painter().paint(g, x, y);
         double baseline = y + Letters.height(Letters.PLAIN) / 2;
         Letters.paint(
             g,
             each.text(),
             Letters.PLAIN,
             Palette.INK,
-            x + SAMPLE + GAP,
+            x + each.sample() + GAP,
             baseline,
             Letters.Side.LEFT);
         x += each.width() + BETWEEN;
@@ -89,12 +111,12 @@ final class Legend {
     }
   }
 
-  private static void sample(Graphics2D g, Entry entry, double x, double y) {
-    Color full = Palette.colour(entry.number());
-    Color colour = entry.isFaint() ? Palette.faint(full) : full;
+  private static void sample(Graphics2D g, Series first, int number, double x, double y) {
+    Color full = Palette.colour(number);
+    Color colour = first.isFaint() ? Palette.faint(full) : full;
     g.setColor(colour);
-    g.setStroke(Palette.stroke(entry.number()));
-    switch (entry.style()) {
+    g.setStroke(Palette.stroke(number));
+    switch (first.style()) {
       case LINE, STEPS -> g.draw(new Line2D.Double(x, y, x + SAMPLE, y));
       case POINTS ->
           g.fill(new Ellipse2D.Double(x + (SAMPLE - POINT) / 2.0, y - POINT / 2.0, POINT, POINT));

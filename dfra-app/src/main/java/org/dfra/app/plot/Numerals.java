@@ -10,10 +10,11 @@ public final class Numerals {
 
   private static final MathContext DIGITS = new MathContext(10);
 
-  /** A number, perhaps with a sign, a second number after ±, and a unit. */
+  /** A number, perhaps with a sign, a second number after ± or an interval, and a unit. */
   private static final Pattern NUMBER =
       Pattern.compile(
-          "[≤≥<>~]?\\s?[-+−]?\\d[\\d.,]*(?:e[-−]?\\d+)?(?:[ \u00a0](?:[^\\d\\s]\\S{0,5}|±.{1,12}))*");
+          "[≤≥<>~]?\\s?[-+−]?\\d[\\d.,]*(?:e[-−]?\\d+)?(?: \\([-−\\d.]+ to [-−\\d.]+\\))?"
+              + "(?:[ \u00a0](?:[^\\d\\s]\\S{0,5}|±.{1,12}))*");
 
   /** Between a number and its unit. */
   private static final Pattern BREAK =

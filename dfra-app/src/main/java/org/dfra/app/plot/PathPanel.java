@@ -73,7 +73,8 @@ public final class PathPanel implements Panel {
   public void paint(Graphics2D g, int width, int height) {
     Range across = x.over(Range.of(values(Series::x, Note::x), MARGIN));
     Range up = y.over(Range.of(values(Series::y, Note::y), MARGIN));
-    Plot plot = new Plot(title, x, y, all, Plot.paper(all), width, height);
+    boolean hasWays = !ways.stream().allMatch(Series::isEmpty);
+    Plot plot = new Plot(title, x, y, all, hasWays, Plot.paper(all), width, height);
     equalise(plot, across, up);
     plot.paint(g, this::paintNotes);
   }

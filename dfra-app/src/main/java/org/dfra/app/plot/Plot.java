@@ -67,10 +67,28 @@ final class Plot {
    * @param high of the panel, in pixels
    */
   Plot(String title, Axis x, Axis y, List<Series> all, Layer ground, int wide, int high) {
+    this(title, x, y, all, false, ground, wide, high);
+  }
+
+  /**
+   * @param hasWays whether paths among the series have marks, which the legend explains
+   * @param ground painted below the series, clipped to what is between the axes
+   * @param wide of the panel, in pixels
+   * @param high of the panel, in pixels
+   */
+  Plot(
+      String title,
+      Axis x,
+      Axis y,
+      List<Series> all,
+      boolean hasWays,
+      Layer ground,
+      int wide,
+      int high) {
     this.title = title;
     this.x = x;
     this.y = y;
-    legend = new Legend(all, wide - 2.0 * PADDING);
+    legend = new Legend(all, hasWays, wide - 2.0 * PADDING);
     left = y.title().isEmpty() ? 0 : TITLE;
     top = title.isEmpty() ? 0 : TITLE;
     width = wide - left;

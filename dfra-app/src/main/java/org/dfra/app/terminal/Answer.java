@@ -43,16 +43,18 @@ public final class Answer {
       out().println(nothing);
     } else {
       List<String> lines = table.lines(Terminal.columns());
-      boolean isColoured =
-          spec.commandLine().getColorScheme().ansi().enabled()
-              && !"dumb".equals(System.getenv("TERM"));
-      out().println(isColoured ? Colour.bold(lines.get(0)) : lines.get(0));
-      lines.stream()
-          .skip(1)
-          .map(each -> isColoured ? Colour.of(each) : each)
-          .forEach(out()::println);
+      out().println(isColoured() ? Colour.bold(lines.get(0)) : lines.get(0));
+      lines.stream().skip(1).map(this::coloured).forEach(out()::println);
     }
     out().flush();
+  }
+
+  private boolean isColoured() {
+    return spec.commandLine().getColorScheme().ansi().enabled();
+  }
+
+  private String coloured(String line) {
+    return isColoured() ? Colour.of(line) : line;
   }
 
   /** Gives a value: as JSON, or as indented lines. */
@@ -60,9 +62,18 @@ public final class Answer {
     if (json) {
       out().println(Json.pretty(value));
     } else {
-      Outline.of(value).forEach(out()::println);
+      shown(Outline.of(value)).forEach(out()::println);
     }
     out().flush();
+  }
+
+  /** Lines as a terminal shows them: no wider than it is, each going on below where it began. */
+  private List<String> shown(List<String> lines) {
+    int columns = Terminal.textColumns();
+    return lines.stream()
+        .flatMap(line -> Outline.folded(line, columns).stream())
+        .map(this::coloured)
+        .toList();
   }
 
   /**
@@ -81,7 +92,7 @@ public final class Answer {
    * @param value what the lines tell, for programs
    */
   public void lines(Object value, List<String> lines) {
-    sentence(value, String.join(System.lineSeparator(), lines));
+    sentence(value, String.join(System.lineSeparator(), shown(lines)));
   }
 
   /** Whether somebody still reads the answer; nobody does where it goes to a pipe that closed. */

@@ -1,11 +1,22 @@
 package org.dfra.app.terminal;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.DoubleNode;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Any value on one line, for people: {@code mode FIX_3D, satellites tracked 9}. */
+/**
+ * Any value on one line, for people: {@code mode FIX_3D, satellites tracked 9}. Numbers have seven
+ * decimals, of which the last one is a hundredth of a metre in a latitude, or more where they are
+ * small; programs get all of them.
+ */
 public final class Inline {
+
+  private static final int DECIMALS = 7;
+  private static final MathContext SMALL = new MathContext(4);
 
   private Inline() {}
 
@@ -30,7 +41,18 @@ public final class Inline {
       node.elements().forEachRemaining(each -> parts.add(inner(each)));
       return String.join(" ", parts);
     }
-    return Outline.text(node);
+    return node.isFloatingPointNumber() ? Outline.text(shortened(node)) : Outline.text(node);
+  }
+
+  private static JsonNode shortened(JsonNode number) {
+    double value = number.doubleValue();
+    if (!Double.isFinite(value)) {
+      return number;
+    }
+    BigDecimal exact = BigDecimal.valueOf(value);
+    BigDecimal cut = exact.setScale(DECIMALS, RoundingMode.HALF_EVEN);
+    BigDecimal small = exact.round(SMALL);
+    return DoubleNode.valueOf((small.scale() > DECIMALS ? small : cut).doubleValue());
   }
 
   private static String inner(JsonNode node) {

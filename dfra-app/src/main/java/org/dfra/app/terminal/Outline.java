@@ -28,6 +28,16 @@ final class Outline {
     return outline.lines;
   }
 
+  /**
+   * A line of it in so many columns. What does not fit goes on below, further to the right than the
+   * next line's name can begin.
+   */
+  static List<String> folded(String line, int columns) {
+    String text = line.stripLeading();
+    int margin = line.length() - text.length() + (text.startsWith("- ") ? 2 : 0);
+    return Words.hanging(line, columns, margin + 2 * INDENT.length());
+  }
+
   private void children(JsonNode node, String indent) {
     if (node.isObject()) {
       node.properties().forEach(each -> named(words(each.getKey()), each.getValue(), indent));

@@ -88,10 +88,21 @@ public final class Terminal implements Supplier<Terminal.Size> {
    * file or a pipe.
    */
   public static int columns() {
-    boolean isTerminal =
-        Ansi.AUTO.enabled() || (System.getenv("NO_COLOR") != null && System.console() != null);
     return columns(
-        System.getenv("COLUMNS"), isTerminal ? () -> new Terminal().get() : () -> Size.USUAL);
+        System.getenv("COLUMNS"), isTerminal() ? () -> new Terminal().get() : () -> Size.USUAL);
+  }
+
+  /**
+   * How wide a sentence may be: as wide as the terminal, and however wide in a file or a pipe,
+   * where other programs look for it.
+   */
+  public static int textColumns() {
+    return isTerminal() ? columns() : Size.BOUNDLESS.columns();
+  }
+
+  /** Whether this process writes to a terminal, whatever that can show. */
+  public static boolean isTerminal() {
+    return Ansi.AUTO.enabled() || (System.getenv("NO_COLOR") != null && System.console() != null);
   }
 
   static int columns(@Nullable String variable, Supplier<Size> size) {

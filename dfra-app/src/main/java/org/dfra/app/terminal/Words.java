@@ -8,8 +8,17 @@ import java.util.regex.Pattern;
 /** Text in columns. Each character is taken to be one column wide. */
 public final class Words {
 
-  /** Where a line may end: not between a number and its unit. */
-  public static final Pattern BREAK = Pattern.compile(" (?!(?:s|ms|µs|ns|Hz|m|°)\\b|%)");
+  /**
+   * Where a line may end: not between a number and its unit, and not within what is typed. Half of
+   * {@code ./dfra stop --release atrv1}, copied from one line, would release every robot.
+   */
+  public static final Pattern BREAK =
+      Pattern.compile(
+          "(?<!\\./dfra)(?<!\\./dfra [a-z]{1,12})(?<! --[a-z-]{1,16})(?<!\\bEMERGENCY)"
+              + " (?!(?:s|ms|µs|ns|Hz|m|°)\\b|%|--[a-z]|(?<=\\d )(?:[kMG]B|W|V|rad)\\b)");
+
+  /** What a line has at least, however far it begins to the right. */
+  private static final int NARROWEST = 20;
 
   /** A path of a file, perhaps in quotation marks. */
   private static final Pattern PATH = Pattern.compile("^[\"'(]?(?:\\.{0,2}/|~/)");
@@ -99,6 +108,34 @@ public final class Words {
     }
     pieces.add(new String(rest, 0, rest.length));
     return pieces;
+  }
+
+  /**
+   * A line broken at blanks; what does not fit goes on below, further to the right than the line
+   * begins.
+   *
+   * @param columns most of a line
+   * @param indent where the lines below begin; less where so few columns would be left
+   */
+  public static List<String> hanging(String line, int columns, int indent) {
+    if (width(line) <= columns) {
+      return List.of(line);
+    }
+    int margin = line.length() - line.stripLeading().length();
+    String below = " ".repeat(Math.max(0, Math.min(indent, columns - NARROWEST)));
+    String begin = line.substring(0, margin);
+    List<String> lines = new ArrayList<>();
+    StringBuilder text = new StringBuilder();
+    for (String word : BREAK.split(line.substring(margin), -1)) {
+      if (!text.isEmpty() && width(begin + text + " " + word) > columns) {
+        lines.add(begin + text);
+        text.setLength(0);
+        begin = below;
+      }
+      text.append(text.isEmpty() ? "" : " ").append(word);
+    }
+    lines.add(begin + text);
+    return lines;
   }
 
   /** Columns of the longest word. */

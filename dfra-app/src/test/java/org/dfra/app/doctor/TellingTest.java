@@ -17,7 +17,7 @@ class TellingTest {
 
   @Test
   void eachIsALineAndWhatToDoIsBelow() {
-    assertThat(new Telling(Ansi.OFF).of(FINDINGS))
+    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS))
         .containsExactly(
             "OK    java              Java 17",
             "WARN  file-descriptors  few",
@@ -26,14 +26,29 @@ class TellingTest {
             "                        → Free it.",
             "",
             "1 failure, 1 warning.");
-    assertThat(new Telling(Ansi.OFF).of(FINDINGS.subList(0, 1))).endsWith("All is well.");
-    assertThat(new Telling(Ansi.OFF).of(FINDINGS.subList(0, 2)))
+    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS.subList(0, 1))).endsWith("All is well.");
+    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS.subList(0, 2)))
         .endsWith("Nothing fails, 1 warning.");
   }
 
   @Test
+  void aLongFindingGoesOnBelowWhereItBeganAndWhatIsTypedStaysWhole() {
+    Finding stop =
+        Finding.warn(
+            Subject.EMERGENCY_STOP,
+            "atrv1/drive is stopped since noon, by root at 127.0.0.1, and obeys nobody",
+            "When it is safe for everybody, release it: ./dfra stop --release atrv1.");
+    assertThat(new Telling(Ansi.OFF, 80).of(List.of(stop)).subList(0, 4))
+        .containsExactly(
+            "WARN  emergency-stop    atrv1/drive is stopped since noon, by root at 127.0.0.1,",
+            "                        and obeys nobody",
+            "                        → When it is safe for everybody, release it:",
+            "                          ./dfra stop --release atrv1.");
+  }
+
+  @Test
   void onATerminalVerdictsAreColoured() {
-    assertThat(new Telling(Ansi.ON).of(FINDINGS).get(0)).startsWith("\u001b[32mOK");
+    assertThat(new Telling(Ansi.ON, 80).of(FINDINGS).get(0)).startsWith("\u001b[32mOK");
   }
 
   @Test

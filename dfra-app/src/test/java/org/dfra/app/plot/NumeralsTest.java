@@ -22,6 +22,9 @@ class NumeralsTest {
     assertThat(Numerals.areNumbers(List.of("0.54 m", "-", "95.3 %", "yes"))).isTrue();
     assertThat(Numerals.areNumbers(List.of("≤ 0.3 m", "≤ 0", ""))).isTrue();
     assertThat(Numerals.areNumbers(List.of("+0.000 s ± 0.017 s"))).isTrue();
+    assertThat(Numerals.areNumbers(List.of("0.109 (0.085 to 0.147) m", "8.63 (-3.7 to 21)")))
+        .as("with an interval")
+        .isTrue();
     assertThat(Numerals.areNumbers(List.of("atrv1", "2 robots meet"))).isFalse();
     assertThat(Numerals.areNumbers(List.of())).isFalse();
   }

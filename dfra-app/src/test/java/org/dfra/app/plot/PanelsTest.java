@@ -212,6 +212,18 @@ class PanelsTest {
   }
 
   @Test
+  void theLegendSaysWhatTheMarksOfAPathMean() {
+    double[] both = {0, 10};
+    String key = ">start, direction, end<";
+    Series way = Series.line("robot", both, both);
+    assertThat(new Page("").row(300, new PathPanel("", EAST, NORTH).addWay(way)).svg())
+        .contains(key);
+    assertThat(new Page("").row(300, new PathPanel("", EAST, NORTH).add(way)).svg())
+        .as("a line without marks")
+        .doesNotContain(key);
+  }
+
+  @Test
   void aFaintSeriesIsPalerAndHasItsPlaceInTheLegend() {
     double[] both = {0, 10};
     PathPanel panel = new PathPanel("", EAST, NORTH).add(Series.line("raw", both, both).faint());

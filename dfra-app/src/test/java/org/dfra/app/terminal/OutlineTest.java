@@ -3,6 +3,7 @@ package org.dfra.app.terminal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Instant;
+import java.util.List;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.flow.sensor.RangeScan;
@@ -24,6 +25,31 @@ class OutlineTest {
   void sumsUpWhatNobodyReadsOneByOne() {
     assertThat(Outline.of(scan())).contains("ranges: 361 numbers, 1 to 2");
     assertThat(Inline.of(scan())).endsWith("ranges 361 numbers, 1 to 2");
+  }
+
+  /** A record whose outline has long lines. */
+  record Parameter(String name, String meaning) {}
+
+  @Test
+  void aLineThatIsTooLongGoesOnBelowIt() {
+    Parameter rate = new Parameter("rate", "from one position to the next, 1 to 255 s");
+    List<String> lines =
+        Outline.of(List.of(rate)).stream()
+            .flatMap(line -> Outline.folded(line, 40).stream())
+            .toList();
+    assertThat(lines)
+        .containsExactly(
+            "- name: rate", "  meaning: from one position to the", "      next, 1 to 255 s");
+  }
+
+  /** Numbers as measured, one large and one small. */
+  record Figures(double latitude, double noise, double whole) {}
+
+  @Test
+  void peopleGetAsManyDigitsAsTheyCanUse() {
+    Figures figures = new Figures(48.000085123456, 0.000000123456, 3);
+    assertThat(Inline.of(figures)).isEqualTo("latitude 48.0000851, noise 0.0000001235, whole 3");
+    assertThat(Json.line(figures)).contains("48.000085123456");
   }
 
   @Test

@@ -73,6 +73,17 @@ class TableTest {
   }
 
   @Test
+  void whatBelongsTogetherStaysOnOneLine() {
+    Table table = new Table("STATE", "DO");
+    table.row("ready, EMERGENCY STOP", "Release it: ./dfra stop --release atrv1");
+    assertThat(table.lines(43))
+        .containsExactly(
+            "STATE           DO",
+            "ready,          Release it:",
+            "EMERGENCY STOP  ./dfra stop --release atrv1");
+  }
+
+  @Test
   void fitsExactlyWhereItCan() {
     Table table = new Table("A", "B");
     table.row("one two three", "x");

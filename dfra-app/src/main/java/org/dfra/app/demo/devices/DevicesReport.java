@@ -101,8 +101,8 @@ final class DevicesReport {
             520,
             new PathPanel("Field", Axis.of("east", "m"), Axis.of("north", "m"))
                 .addWay(Series.line("truly", truth.east(), truth.north()))
+                .addWay(Series.line("odometry", placed[0], placed[1]))
                 .add(
-                    Series.line("odometry", placed[0], placed[1]),
                     Series.points(
                         "GPS fixes",
                         streams.gps.series("east_m")[1],
@@ -139,9 +139,8 @@ final class DevicesReport {
         .row(
             520,
             new PathPanel("Ends of beams", Axis.of("east", "m"), Axis.of("north", "m"))
-                .add(
-                    Series.points("beams", placed[0], placed[1]),
-                    Series.line("the robot, truly", truth.east(), truth.north())));
+                .add(Series.points("beams", placed[0], placed[1]))
+                .addWay(Series.line("the robot, truly", truth.east(), truth.north())));
   }
 
   private Page others() {

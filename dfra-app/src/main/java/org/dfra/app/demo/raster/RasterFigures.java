@@ -45,6 +45,12 @@ final class RasterFigures {
   private static final int HIGH = 250; // pixels of a panel over time
   private static final int MAP = 470; // pixels of a map beside another
 
+  /** Names that have the same colours in every figure; there is nothing in them to draw. */
+  private static final Series TRULY = Series.line("truly", new double[0], new double[0]);
+
+  private static final Series BELIEVED =
+      Series.line("by its estimate", new double[0], new double[0]);
+
   private final Scenario scenario;
   private final Flight flight;
   private final FieldMap map;
@@ -77,10 +83,10 @@ final class RasterFigures {
       panels.add(
           new PathPanel(robot.robot(), EAST, NORTH)
               .add(ground.toArray(Series[]::new))
-              .add(
-                  Series.points("GPS fixes", fixes[0], fixes[1]).faint(),
-                  Series.line("by its estimate", believed[0], believed[1]),
-                  Series.line("truly", way[0], way[1]))
+              .add(TRULY, BELIEVED) // first of all names, so with the colours of other figures
+              .add(Series.points("GPS fixes", fixes[0], fixes[1]).faint())
+              .addWay(Series.line(BELIEVED.name(), believed[0], believed[1]))
+              .addWay(Series.line(TRULY.name(), way[0], way[1]))
               .add(map.things()));
     }
     return rows("Where each was, and believed it was", MAP + 40, panels);
@@ -182,8 +188,8 @@ final class RasterFigures {
       LinePanel panel =
           new LinePanel(robot.robot(), TIME, Axis.of("off", "m"))
               .add(
-                  over("truly", off, Bin.MEAN, OffLane::time, OffLane::truly),
-                  over("by its estimate", off, Bin.MEAN, OffLane::time, OffLane::estimated));
+                  over(TRULY.name(), off, Bin.MEAN, OffLane::time, OffLane::truly),
+                  over(BELIEVED.name(), off, Bin.MEAN, OffLane::time, OffLane::estimated));
       for (Silence each : Silence.all(robot)) {
         panel.span(each.from(), each.to(), each.receiver() + " silent");
       }

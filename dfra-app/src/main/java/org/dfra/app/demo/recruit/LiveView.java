@@ -95,7 +95,7 @@ final class LiveView implements AutoCloseable {
       return;
     }
     try {
-      tell.redraw(SnapshotLines.of(now()));
+      tell.redraw(SnapshotLines.of(now(), tell.columns() - 1));
     } catch (RuntimeException e) { // the demonstration goes on without it
       tell.redraw(List.of("", "What the team is at cannot be shown: " + e));
     }

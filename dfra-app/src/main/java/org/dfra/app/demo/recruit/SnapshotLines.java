@@ -8,46 +8,62 @@ import org.dfra.agent.RequesterPhase;
 import org.dfra.app.demo.recruit.Snapshot.Fate;
 import org.dfra.app.demo.recruit.Snapshot.Robot;
 import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.terminal.Words;
 import org.dfra.behavior.BehaviorStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A team at one moment, as lines: one for each robot and one for the call. Columns are as wide at
- * all moments, so that nothing jumps; with names of five letters a line has 78 characters. A
- * question mark stands for what is not known, a blank for what there is not.
+ * all moments, so that nothing jumps; with names of five letters a line has 78 characters, and on a
+ * terminal with fewer columns the numbers stand in a line of their own. A question mark stands for
+ * what is not known, a blank for what there is not.
  */
 final class SnapshotLines {
 
   private static final int SHORTEST_NAME = 5;
   private static final int BAR = 5;
   private static final String UNKNOWN = "?";
+  private static final String INDENT = "   ";
 
-  private SnapshotLines() {}
+  /** Columns of a line beside the robot's name. */
+  private static final int REST = 73;
 
-  /** The lines, with an empty one before that sets them off. */
-  static List<String> of(Snapshot now) {
-    int wide =
-        now.robots().stream().mapToInt(each -> each.name().length()).max().orElse(SHORTEST_NAME);
-    List<String> lines = new ArrayList<>();
-    lines.add("");
-    lines.add(
-        String.format(
-            Locale.ROOT,
-            "Now, after %.0f s of the robots' time; no loss of letters is simulated:",
-            now.seconds()));
-    lines.add(row(wide, "ROBOT", "DOES", "RECRUITMENT", "SHAME", "TO GO", "LEASE", "CHARGE"));
-    now.robots().forEach(each -> lines.add(row(wide, each)));
-    lines.add(call(now));
-    return List.copyOf(lines);
+  private final int name;
+  private final boolean isNarrow;
+  private final List<String> lines = new ArrayList<>();
+
+  private SnapshotLines(int name, int columns) {
+    this.name = name;
+    this.isNarrow = name + REST > columns;
   }
 
-  private static String row(int wide, Robot robot) {
-    return switch (robot.fate()) {
-      case DEAD -> row(wide, robot.name(), "dead", "", "", "", "", "");
-      case ABSENT -> row(wide, robot.name(), UNKNOWN, UNKNOWN, UNKNOWN, "", "", charge(robot));
+  /**
+   * The lines, with an empty one before that sets them off.
+   *
+   * @param columns most of a line
+   */
+  static List<String> of(Snapshot now, int columns) {
+    int longest = now.robots().stream().mapToInt(each -> each.name().length()).max().orElse(0);
+    SnapshotLines table = new SnapshotLines(Math.max(longest, SHORTEST_NAME), columns);
+    table.lines.add("");
+    String head = "Now, after %.0f s of the robots' time; no loss of letters is simulated:";
+    table.sentence(String.format(Locale.ROOT, head, now.seconds()), columns);
+    table.row("ROBOT", "DOES", "RECRUITMENT", "SHAME", "TO GO", "LEASE", "CHARGE");
+    now.robots().forEach(table::row);
+    table.sentence(call(now), columns);
+    return List.copyOf(table.lines);
+  }
+
+  private void sentence(String text, int columns) {
+    lines.addAll(Words.hanging(text, columns, INDENT.length()));
+  }
+
+  private void row(Robot robot) {
+    switch (robot.fate()) {
+      case DEAD -> row(robot.name(), "dead", "", "", "", "", "");
+      case ABSENT -> row(robot.name(), UNKNOWN, UNKNOWN, UNKNOWN, "", "", charge(robot));
       case PRESENT, CUT_OFF ->
           row(
-              wide,
               robot.name(),
               does(robot),
               recruitment(robot),
@@ -55,11 +71,10 @@ final class SnapshotLines {
               number("%.1f m", robot.distance()),
               number("%.0f s", robot.lease()),
               charge(robot));
-    };
+    }
   }
 
-  private static String row(
-      int wide,
+  private void row(
       String robot,
       String does,
       String recruitment,
@@ -67,10 +82,16 @@ final class SnapshotLines {
       String distance,
       String lease,
       String charge) {
-    String format = "%-" + Math.max(wide, SHORTEST_NAME) + "s  %-16s  %-18s  %-10s  %6s  %5s  %6s";
-    return String.format(
-            Locale.ROOT, format, robot, does, recruitment, shame, distance, lease, charge)
-        .stripTrailing();
+    String words =
+        String.format(Locale.ROOT, "%-" + name + "s  %-16s  %-18s", robot, does, recruitment);
+    String numbers =
+        String.format(Locale.ROOT, "  %-10s  %6s  %5s  %6s", shame, distance, lease, charge);
+    if (!isNarrow) {
+      lines.add((words + numbers).stripTrailing());
+      return;
+    }
+    lines.add(words.stripTrailing());
+    lines.add((INDENT + numbers).stripTrailing());
   }
 
   /** What a robot does, of all that is told of it the most urgent. */

@@ -68,7 +68,8 @@ public final class Narration {
   /**
    * @param nanos a clock that only differences are taken of, in nanoseconds
    * @param isTerminal whether lines that were written can be written anew
-   * @param size of the terminal; sentences are broken and lines that are drawn anew are cut there
+   * @param size of the terminal, also where nothing can be written anew; sentences are broken and
+   *     lines that are drawn anew are cut there
    */
   public Narration(
       PrintWriter out, LongSupplier nanos, boolean isTerminal, Supplier<Terminal.Size> size) {
@@ -117,8 +118,9 @@ public final class Narration {
 
   /** What speaks to whoever has started this process, in the terminal if there is one. */
   public static Narration to(PrintWriter out) {
-    return new Narration(
-        out, System::nanoTime, Terminal.canRedraw(), new Terminal(), Colour.isWanted());
+    Supplier<Terminal.Size> size =
+        Terminal.isTerminal() ? new Terminal() : () -> Terminal.Size.BOUNDLESS;
+    return new Narration(out, System::nanoTime, Terminal.canRedraw(), size, Colour.isWanted());
   }
 
   /**
@@ -157,7 +159,7 @@ public final class Narration {
   }
 
   private int width() {
-    return isTerminal ? Math.max(NARROWEST, Math.min(WIDTH, size.get().columns())) : WIDTH;
+    return Math.max(NARROWEST, Math.min(WIDTH, size.get().columns()));
   }
 
   /** A table under a sentence, no wider than the terminal, with a blank line after. */
@@ -165,9 +167,10 @@ public final class Narration {
     show(table.lines(columns() - MARGIN.length()));
   }
 
-  /** How wide a table may be. */
+  /** How wide a table may be; a terminal without colours has a width, too. */
   public int columns() {
-    return isTerminal ? size.get().columns() : TABLE;
+    int columns = size.get().columns();
+    return isTerminal || columns < Terminal.Size.BOUNDLESS.columns() ? columns : TABLE;
   }
 
   /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.dfra.app.demo.raster.Tracks.Bin;
 import org.dfra.app.raster.Flight;
 import org.dfra.app.raster.Flight.RobotFlight;
@@ -57,6 +58,28 @@ class RasterFiguresTest {
     assertThat(figures.clearance().svg())
         .contains(">1<", "least wanted")
         .doesNotContain("From body to body"); // there is one robot only
+  }
+
+  @Test
+  void pathsHaveTheirDirectionAndTheSameColourAsTheirDistancesFromTheLanes() {
+    RasterFigures figures = new RasterFigures(SCENARIO, flight());
+    String estimates = figures.estimates().svg();
+    assertThat(estimates).contains(">start, direction, end<");
+    for (String name : List.of(">truly<", ">by its estimate<")) {
+      assertThat(sample(estimates, name)).isEqualTo(sample(figures.crossTrack().svg(), name));
+    }
+  }
+
+  /** The colour that was set last before a name of the legend was written in ink. */
+  private static String sample(String svg, String name) {
+    String before = svg.substring(0, svg.indexOf(name));
+    List<String> strokes =
+        Pattern.compile("stroke=\"(rgb\\([^)]*\\))\"")
+            .matcher(before)
+            .results()
+            .map(each -> each.group(1))
+            .toList();
+    return strokes.get(strokes.size() - 1);
   }
 
   @Test

@@ -64,7 +64,11 @@ class SnapshotLinesTest {
   }
 
   private static List<String> lines(@Nullable CallState call, Robot... robots) {
-    return SnapshotLines.of(new Snapshot(BEGIN, NOW, List.of(robots), call));
+    return lines(79, call, robots);
+  }
+
+  private static List<String> lines(int columns, @Nullable CallState call, Robot... robots) {
+    return SnapshotLines.of(new Snapshot(BEGIN, NOW, List.of(robots), call), columns);
   }
 
   private static CallState call(@Nullable String chosen, String... lost) {
@@ -249,7 +253,7 @@ class SnapshotLinesTest {
     assertThat(lines(null).get(3)).isEqualTo("Nobody calls for help.");
     assertThat(lines(call(null)).get(3))
         .isEqualTo("Call 2 by uav, 12 s ago: nobody chosen; HELP sent 3 times, 9 letters");
-    assertThat(lines(call("ugv4", "ugv2", "ugv1")).get(3))
+    assertThat(lines(120, call("ugv4", "ugv2", "ugv1")).get(3))
         .isEqualTo(
             "Call 2 by uav, 12 s ago: ugv4 chosen, ugv2 and ugv1 lost; HELP sent 3 times, 9"
                 + " letters");
@@ -258,11 +262,37 @@ class SnapshotLinesTest {
   @Test
   void longNamesWidenTheirColumnForAll() {
     Robot named = new Robot("pathfinder", Fate.PRESENT, false, null, null, null, null, null);
-    List<String> lines = lines(null, named, UAV);
+    List<String> lines = lines(120, null, named, UAV);
     int column = lines.get(2).indexOf("DOES");
     assertThat(column).isEqualTo("pathfinder".length() + 2);
     assertThat(lines.get(3).substring(column)).startsWith("waiting");
     assertThat(lines.get(4).substring(column)).startsWith("flying");
+  }
+
+  @Test
+  void onANarrowTerminalTheNumbersStandBelowAndNothingIsCut() {
+    Robot goes = ugv(responder(ResponderPhase.TRAVELLING, 0), search(Phase.PAUSED, 1), 12.34, null);
+    List<String> lines = lines(59, call("ugv1", "ugv2"), goes);
+    assertThat(lines)
+        .containsExactly(
+            "",
+            "Now, after 142 s of the robots' time; no loss of letters is",
+            "   simulated:",
+            "ROBOT  DOES              RECRUITMENT",
+            "     SHAME        TO GO  LEASE  CHARGE",
+            "ugv1   on its way        responds to uav",
+            "     ..... 0.00  12.3 m           50 %",
+            "Call 2 by uav, 12 s ago: ugv1 chosen, ugv2 lost; HELP sent",
+            "   3 times, 9 letters")
+        .allMatch(line -> line.length() <= 59);
+  }
+
+  @Test
+  void aCallOfManyWordsGoesOnBelow() {
+    assertThat(lines(call("ugv4", "ugv2", "ugv1")))
+        .endsWith(
+            "Call 2 by uav, 12 s ago: ugv4 chosen, ugv2 and ugv1 lost; HELP sent 3 times, 9",
+            "   letters");
   }
 
   @Test

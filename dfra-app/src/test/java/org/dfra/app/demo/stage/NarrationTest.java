@@ -99,6 +99,15 @@ class NarrationTest {
   }
 
   @Test
+  void aTerminalWithoutColoursHasAWidthToo() {
+    Narration plain =
+        new Narration(new PrintWriter(out), () -> 0, false, () -> new Terminal.Size(60, 24));
+    plain.say("%s", "word ".repeat(40).strip());
+    assertThat(out.toString().lines()).allMatch(line -> line.length() <= 60).hasSizeGreaterThan(3);
+    assertThat(plain.columns()).isEqualTo(60);
+  }
+
+  @Test
   void aSentenceIsBrokenWhereTheTerminalEnds() {
     String words = "word ".repeat(30).strip();
     for (int columns : new int[] {50, 80, 200}) {
@@ -115,8 +124,7 @@ class NarrationTest {
   @Test
   void aSentenceIsAsWideAsEverWhereThereIsNoTerminal() {
     StringWriter said = new StringWriter();
-    new Narration(new PrintWriter(said), () -> 0, false, () -> new Terminal.Size(50, 24))
-        .say("%s", "word ".repeat(30).strip());
+    new Narration(new PrintWriter(said), () -> 0).say("%s", "word ".repeat(30).strip());
     assertThat(said.toString().lines().mapToInt(String::length).max().orElseThrow())
         .isBetween(92, 96);
   }

@@ -1,0 +1,78 @@
+package org.dfra.app;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dfra.app.terminal.Terminal;
+import org.dfra.app.terminal.Words;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.CommandSpec;
+
+/**
+ * What {@code --help} prints, as wide as the terminal but no wider than {@value #WIDEST} columns.
+ * Picocli breaks each line of a footer by itself, which leaves a word or two on a line of its own;
+ * here a footer's lines are a paragraph, and an indented line is an entry of a list that goes on
+ * below its explanation.
+ */
+final class FoldedHelp extends Help {
+
+  private static final int WIDEST = 80;
+  private static final int NARROWEST = 55; // picocli refuses less
+
+  /** An entry's name and what parts it from its explanation. */
+  private static final Pattern NAME = Pattern.compile(" +\\S+ {2,}(?=\\S)");
+
+  FoldedHelp(CommandSpec spec, ColorScheme scheme) {
+    super(spec, scheme);
+    spec.usageMessage().width(Width.HERE);
+  }
+
+  /** The terminal is asked once, and only where help is wanted: each verb has a help of its own. */
+  private static final class Width {
+    static final int HERE = width(Terminal.columns());
+  }
+
+  static int width(int columns) {
+    return Math.max(NARROWEST, Math.min(WIDEST, columns));
+  }
+
+  @Override
+  public String footer(Object... arguments) {
+    int width = commandSpec().usageMessage().width();
+    String[] lines = commandSpec().usageMessage().footer();
+    StringBuilder text = new StringBuilder();
+    folded(List.of(lines), width - 1)
+        .forEach(line -> text.append(line).append(System.lineSeparator()));
+    return text.toString();
+  }
+
+  /** Paragraphs and lists in so many columns; a blank line parts two paragraphs. */
+  static List<String> folded(List<String> lines, int columns) {
+    List<String> folded = new ArrayList<>();
+    StringBuilder paragraph = new StringBuilder();
+    for (String line : lines) {
+      boolean isText = !line.isBlank() && !line.startsWith(" ");
+      if (isText) {
+        paragraph.append(paragraph.isEmpty() ? "" : " ").append(line);
+        continue;
+      }
+      end(paragraph, columns, folded);
+      Matcher name = NAME.matcher(line);
+      folded.addAll(Words.hanging(line, columns, name.lookingAt() ? name.end() : margin(line) + 2));
+    }
+    end(paragraph, columns, folded);
+    return folded;
+  }
+
+  private static void end(StringBuilder paragraph, int columns, List<String> folded) {
+    if (!paragraph.isEmpty()) {
+      folded.addAll(Words.folded(paragraph.toString(), columns));
+      paragraph.setLength(0);
+    }
+  }
+
+  private static int margin(String line) {
+    return line.length() - line.stripLeading().length();
+  }
+}
