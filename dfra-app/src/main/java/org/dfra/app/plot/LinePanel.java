@@ -176,16 +176,9 @@ public final class LinePanel implements Panel {
   /** Above the series, on a piece of paper each, so that they can be read. */
   private void paintLabels(Graphics2D g, Plot plot) {
     Rectangle2D area = plot.area();
-    for (Span each : spans) {
-      double right = Math.min(area.getMaxX(), plot.x(each.to()));
-      if (right > area.getMinX() && plot.x(each.from()) < area.getMaxX()) {
-        upwards(g, right, area, each.label());
-      }
-    }
+    paintUprights(g, plot);
     for (Mark each : marks) {
-      if (each.isMoment()) {
-        upwards(g, plot.x(each.value()), area, each.label());
-      } else {
+      if (!each.isMoment()) {
         double length = Letters.width(each.label(), Letters.SMALL);
         AffineTransform before = g.getTransform();
         g.translate(area.getMaxX() - GAP - length, plot.y(each.value()) - GAP);
@@ -194,6 +187,53 @@ public final class LinePanel implements Panel {
       }
     }
     paintNumbers(g, plot);
+  }
+
+  /** A label that stands upright, left of a place and below another one, in pixels. */
+  private record Upright(double at, double top, double bottom, String label) {}
+
+  /**
+   * One that would lie on another goes below it. It is left out where it says the same or there is
+   * no room below.
+   */
+  private void paintUprights(Graphics2D g, Plot plot) {
+    Rectangle2D area = plot.area();
+    double thick = Letters.height(Letters.SMALL) + GAP;
+    List<Upright> painted = new ArrayList<>();
+    for (Mark each : uprights(plot)) {
+      double top = area.getMinY() + GAP;
+      boolean isSaid = false;
+      for (Upright other : painted) {
+        if (each.value() - other.at() < thick) {
+          top = Math.max(top, other.bottom() + GAP);
+          isSaid |= each.label().equals(other.label());
+        }
+      }
+      double bottom = top + Letters.width(each.label(), Letters.SMALL);
+      if (!isSaid && (bottom <= area.getMaxY() || painted.isEmpty())) {
+        upwards(g, each.value(), bottom, each.label());
+        painted.add(new Upright(each.value(), top, bottom, each.label()));
+      }
+    }
+  }
+
+  /** What has a label that stands upright, from the left, at places in pixels. */
+  private List<Mark> uprights(Plot plot) {
+    Rectangle2D area = plot.area();
+    List<Mark> uprights = new ArrayList<>();
+    for (Span each : spans) {
+      double right = Math.min(area.getMaxX(), plot.x(each.to()));
+      if (right > area.getMinX() && plot.x(each.from()) < area.getMaxX()) {
+        uprights.add(new Mark(true, right, each.label()));
+      }
+    }
+    for (Mark each : marks) {
+      if (each.isMoment()) {
+        uprights.add(new Mark(true, plot.x(each.value()), each.label()));
+      }
+    }
+    uprights.sort(Comparator.comparingDouble(Mark::value));
+    return uprights;
   }
 
   /** At the upper ends of their lines; where there is no room beside the last, below it. */
@@ -213,13 +253,12 @@ public final class LinePanel implements Panel {
     }
   }
 
-  /** Left of an upright line, from its upper end downwards. */
-  private static void upwards(Graphics2D g, double at, Rectangle2D area, String text) {
-    double length = Letters.width(text, Letters.SMALL);
+  /** Left of an upright line. */
+  private static void upwards(Graphics2D g, double at, double bottom, String text) {
     AffineTransform before = g.getTransform();
-    g.translate(at - GAP, area.getMinY() + GAP + length);
+    g.translate(at - GAP, bottom);
     g.rotate(-Math.PI / 2);
-    label(g, text, length);
+    label(g, text, Letters.width(text, Letters.SMALL));
     g.setTransform(before);
   }
 

@@ -212,6 +212,30 @@ class PanelsTest {
   }
 
   @Test
+  void uprightLabelsDoNotLieOnOneAnother() {
+    double[] both = {0, 100};
+    LinePanel panel =
+        new LinePanel("", Axis.of("time", "s"), Axis.of("off", "m"))
+            .add(Series.line("off", both, both))
+            .span(10, 10.5, "front silent")
+            .span(10.6, 11, "front silent")
+            .span(10.7, 11.2, "rear silent")
+            .span(60, 61, "rear silent");
+    String svg = new Page("").row(300, panel).svg();
+    assertThat(svg.split(">front silent<", -1)).as("said once of both").hasSize(2);
+    assertThat(svg.split(">rear silent<", -1)).hasSize(3);
+    List<Double> bottoms =
+        Pattern.compile("(?:0,-1,1,0,|translate\\()[\\d.]+,([\\d.]+)\\)[^>]*>[^>]*>\\w+ silent<")
+            .matcher(svg)
+            .results()
+            .map(each -> Double.valueOf(each.group(1)))
+            .toList();
+    assertThat(bottoms).hasSize(3);
+    assertThat(bottoms.get(1)).as("below the one beside it").isGreaterThan(bottoms.get(0) + 40);
+    assertThat(bottoms.get(2)).as("alone, so at the top").isLessThan(bottoms.get(0));
+  }
+
+  @Test
   void theLegendSaysWhatTheMarksOfAPathMean() {
     double[] both = {0, 10};
     String key = ">start, direction, end<";
