@@ -58,7 +58,7 @@ class CommandLineTest {
             + " --help",
         "fuzzy sho | there is no verb \"fuzzy sho\"; did you mean \"show\"?",
         "fuzzy show | missing required parameter: 'FILE.FIS'; see: ./dfra fuzzy show --help",
-        "recruit | recruit needs a verb; there is experiment",
+        "recruit | recruit needs a verb; there is experiment, resume, status",
         "recruit experiment --seeds=0"
             + " | --seeds=0 is not a number from 2 to 10000; see: ./dfra recruit experiment --help",
         "recruit experiment --jobs=none"
