@@ -7,13 +7,17 @@ import picocli.CommandLine.Help.Ansi;
 
 /**
  * Colours the words that say how something is: good ones green, bad ones red. A line is coloured
- * after it was laid out, since codes take no columns.
+ * after it was laid out, since codes take no columns. In {@code stale: no} the word is a name.
  */
 public final class Colour {
 
   private static final Pattern WORDS =
       Pattern.compile(
+<<<<<<< HEAD
           "\\b(?:(READY|ready|MET)|(FAILED|failed|MISSED|STALE|stale|CRASHED|EMERGENCY STOP|HELD))\\b");
+=======
+          "\\b(?:(READY|ready|MET)|(FAILED|failed|MISSED|STALE|stale(?!:)|CRASHED|EMERGENCY STOP))\\b");
+>>>>>>> f1c-look
   private static final String GREEN = "\u001b[32m";
   private static final String RED = "\u001b[31m";
   private static final String BOLD = "\u001b[1m";

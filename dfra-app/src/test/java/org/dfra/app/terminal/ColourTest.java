@@ -22,4 +22,10 @@ class ColourTest {
     assertThat(Colour.isWanted(true, "1", "xterm")).as("NO_COLOR").isFalse();
     assertThat(Colour.isWanted(true, null, "dumb")).isFalse();
   }
+
+  @Test
+  void theNameOfAValueIsNoState() {
+    assertThat(Colour.of("stale: no")).isEqualTo("stale: no");
+    assertThat(Colour.of("stale, 2 s ago")).contains("\u001b[31mstale");
+  }
 }
