@@ -13,8 +13,8 @@ public final class Colour {
 
   private static final Pattern WORDS =
       Pattern.compile(
-          "\b(?:(READY|ready|MET)"
-              + "|(FAILED|failed|MISSED|STALE|stale(?!:)|CRASHED|EMERGENCY STOP|HELD))\b");
+          "\\b(?:(READY|ready|MET)"
+              + "|(FAILED|failed|MISSED|STALE|stale(?!:)|CRASHED|EMERGENCY STOP|HELD))\\b");
   private static final String GREEN = "\u001b[32m";
   private static final String RED = "\u001b[31m";
   private static final String BOLD = "\u001b[1m";
