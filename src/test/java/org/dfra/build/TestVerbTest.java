@@ -159,6 +159,16 @@ class TestVerbTest {
                 + "|phoenix/KilledModuleIT)\\.class]");
   }
 
+  /** The number of processes for the modules' own tests, on the command line, must not reach it. */
+  @Test
+  void whatMeasuresIsAlone() throws Exception {
+    String pom =
+        Files.readString(Path.of(System.getProperty("dfra.root"), "src", "test", "pom.xml"));
+    String alone = pom.substring(pom.indexOf("<id>one-at-a-time</id>"));
+    assertThat(alone.substring(0, alone.indexOf("</execution>")))
+        .contains("<forkCount>1</forkCount>");
+  }
+
   /** Makes the build tool leave a module's report, as a run of it would. */
   private void leaveReport(String module, String test, String seconds, boolean failed)
       throws IOException {

@@ -218,8 +218,10 @@ class RecruitmentAgentsIT {
           .atMost(PATIENCE)
           .until(
               () -> asking.status().requester() == RequesterPhase.CALLING || isMade(asking, FAR));
-      Thread.sleep(calls * 1000L); // the time in which it would answer; nothing is to be awaited
-      assertThat(said).allMatch(each -> each.responder() == ResponderPhase.FREE);
+      await("that it answers no call, in the time in which it would")
+          .during(Duration.ofSeconds(calls))
+          .atMost(PATIENCE)
+          .until(() -> said.stream().allMatch(each -> each.responder() == ResponderPhase.FREE));
       assertThat(helping.status().responder()).isEqualTo(ResponderPhase.FREE);
       assertThat(driving.status().phase()).isEqualTo(Phase.CANCELLED);
 

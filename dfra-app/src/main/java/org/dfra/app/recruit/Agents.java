@@ -3,15 +3,13 @@ package org.dfra.app.recruit;
 import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import org.dfra.agent.Recruiting;
-import org.dfra.app.team.Namesakes;
+import org.dfra.app.team.RobotModules;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
-import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import picocli.CommandLine.Mixin;
@@ -70,32 +68,11 @@ final class Agents {
 
   private static List<ModuleListing<Recruiting>> in(Team team, List<String> wanted)
       throws InterruptedException {
-    ModuleDirectory directory = team.surveyed();
-    ModuleQuery<Recruiting> any = ModuleQuery.of(Recruiting.class);
-    List<ModuleListing<Recruiting>> found = new ArrayList<>();
-    if (wanted.isEmpty()) {
-      found.addAll(directory.find(any));
-      found.sort(Comparator.comparing(ModuleListing::path));
-      if (found.isEmpty()) {
-        throw new CommandFailure(
-            ExitCode.NOT_FOUND,
-            "no robot that answers has a recruitment agent; ./dfra persona list shows the robots,"
-                + " or wait longer for answers: --wait 10");
-      }
-    }
-    for (String robot : wanted) {
-      found.add(
-          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
-              .findFirst()
-              .orElseThrow(
-                  () ->
-                      new CommandFailure(
-                          ExitCode.NOT_FOUND,
-                          "robot "
-                              + robot
-                              + " has no recruitment agent, or is not there; ./dfra persona list"
-                              + " shows the robots")));
-    }
-    return found;
+    return RobotModules.of(
+        team.surveyed(),
+        ModuleQuery.of(Recruiting.class),
+        wanted,
+        "recruitment agent",
+        "./dfra persona list shows the robots");
   }
 }

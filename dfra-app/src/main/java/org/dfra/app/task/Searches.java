@@ -1,17 +1,14 @@
 package org.dfra.app.task;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import org.dfra.app.team.Namesakes;
+import org.dfra.app.team.RobotModules;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.RasterSearch;
-import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.jspecify.annotations.Nullable;
@@ -49,35 +46,13 @@ final class Searches {
    * @throws CommandFailure if there is none, or one that was named is not there
    */
   List<ModuleListing<RasterSearch>> in(Team team) throws InterruptedException {
-    List<String> wanted = wanted();
-    ModuleDirectory directory = team.surveyed();
-    ModuleQuery<RasterSearch> any = ModuleQuery.of(RasterSearch.class);
-    if (robots == null) {
-      List<ModuleListing<RasterSearch>> all = new ArrayList<>(directory.find(any));
-      if (all.isEmpty()) {
-        throw new CommandFailure(
-            ExitCode.NOT_FOUND,
-            "no robot that answers has a RasterSearch; bring one up, e.g. ./dfra up"
-                + " config/teams/raster/atrv1.xml, or wait longer for answers: --wait 10");
-      }
-      all.sort(Comparator.comparing(ModuleListing::path));
-      return all;
-    }
-    List<ModuleListing<RasterSearch>> named = new ArrayList<>();
-    for (String robot : wanted) {
-      named.add(
-          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
-              .findFirst()
-              .orElseThrow(
-                  () ->
-                      new CommandFailure(
-                          ExitCode.NOT_FOUND,
-                          "robot "
-                              + robot
-                              + " has no RasterSearch, or is not there; ./dfra persona list shows"
-                              + " the robots")));
-    }
-    return named;
+    List<String> wanted = wanted(); // it may be refused before anything is awaited
+    return RobotModules.of(
+        team.surveyed(),
+        ModuleQuery.of(RasterSearch.class),
+        wanted,
+        "RasterSearch",
+        "bring one up, e.g. ./dfra up config/teams/raster/atrv1.xml");
   }
 
   /** The names given, each once; none where nothing was said. */

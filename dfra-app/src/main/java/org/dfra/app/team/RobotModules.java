@@ -1,0 +1,67 @@
+package org.dfra.app.team;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.module.Module;
+
+/** The one module of a kind that each robot has, of the robots that a user names. */
+public final class RobotModules {
+
+  private RobotModules() {}
+
+  /**
+   * Finds them.
+   *
+   * @param any all of the kind
+   * @param robots names, as {@link Namesakes#choose} takes them; all robots where there is none
+   * @param kind for people, e.g. {@code recruitment agent}
+   * @param remedy what to type where no robot has one, e.g. {@code ./dfra persona list shows the
+   *     robots}
+   * @return in the order of the names; by path where there are none
+   * @throws CommandFailure if there is none, or a robot that was named has none
+   */
+  public static <M extends Module> List<ModuleListing<M>> of(
+      ModuleDirectory directory,
+      ModuleQuery<M> any,
+      List<String> robots,
+      String kind,
+      String remedy) {
+    List<ModuleListing<M>> found = new ArrayList<>();
+    for (String robot : robots) {
+      found.add(
+          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
+              .findFirst()
+              .orElseThrow(() -> hasNone(robot, kind)));
+    }
+    if (robots.isEmpty()) {
+      found.addAll(directory.find(any));
+      found.sort(Comparator.comparing(ModuleListing::path));
+      if (found.isEmpty()) {
+        throw new CommandFailure(
+            ExitCode.NOT_FOUND,
+            "no robot that answers has a "
+                + kind
+                + "; "
+                + remedy
+                + ", or wait longer for answers: --wait 10");
+      }
+    }
+    return found;
+  }
+
+  private static CommandFailure hasNone(String robot, String kind) {
+    return new CommandFailure(
+        ExitCode.NOT_FOUND,
+        "robot "
+            + robot
+            + " has no "
+            + kind
+            + ", or is not there; ./dfra persona list shows the robots");
+  }
+}
