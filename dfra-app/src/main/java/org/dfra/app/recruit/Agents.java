@@ -12,6 +12,7 @@ import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
+import org.dfra.module.NotReadyException;
 import picocli.CommandLine.Mixin;
 
 /** The recruitment agents of a team, and where they are looked for. A picocli mix-in. */
@@ -42,7 +43,7 @@ final class Agents {
         try {
           request.to(each.module());
           views.add(AgentView.of(each));
-        } catch (RemoteException e) {
+        } catch (RemoteException | NotReadyException e) {
           isComplete = false;
           options.answer().remark(each.path() + " does not answer: " + e.getMessage());
         }

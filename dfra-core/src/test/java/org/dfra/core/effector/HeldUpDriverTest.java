@@ -154,8 +154,8 @@ class HeldUpDriverTest {
         .until(() -> wheels.told.equals(List.of(TURNED, "halt")));
   }
 
-  @Test
-  void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoHalt() throws Exception {
+  /** A client's lease ends, and whoever is to note that does not return before the release. */
+  private void holdUpTheEndOfALease() throws Exception {
     CountDownLatch noted = new CountDownLatch(1);
     Runnable slow =
         () -> {
@@ -168,6 +168,11 @@ class HeldUpDriverTest {
         };
     wheels.leases().grant(Duration.ofMillis(10), Holder.CLIENT, null, slow);
     assertThat(noted.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoHalt() throws Exception {
+    holdUpTheEndOfALease();
     try (StallProbe probe = StallProbe.start()) {
       wheels.obey(key(), AHEAD);
       StallProbe.Stopwatch begun = probe.stopwatch();
@@ -182,18 +187,7 @@ class HeldUpDriverTest {
 
   @Test
   void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoEndOfACommandersLease() throws Exception {
-    CountDownLatch noted = new CountDownLatch(1);
-    Runnable slow =
-        () -> {
-          noted.countDown();
-          try {
-            release.await();
-          } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-          }
-        };
-    wheels.leases().grant(Duration.ofMillis(10), Holder.CLIENT, null, slow);
-    assertThat(noted.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+    holdUpTheEndOfALease();
     CommandKey unused =
         wheels
             .helm()
