@@ -1,6 +1,7 @@
 package org.dfra.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,6 +27,9 @@ abstract class DemoPlay {
   private static final int TABLE = 80;
 
   private static final boolean IS_STRICT = Boolean.getBoolean("dfra.full");
+
+  /** How much of a story is shown before the place at which a sentence is missing. */
+  private static final int CONTEXT = 300;
 
   @TempDir Path folder;
 
@@ -54,7 +58,7 @@ abstract class DemoPlay {
 
       assertThat(outcome.out() + outcome.err()).doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
-      assertThat(said).as("the story").containsSubsequence(story);
+      assertStory(said, story);
       assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))
           .as("lines that are wider than %d columns", WIDTH)
           .isEmpty();
@@ -84,5 +88,28 @@ abstract class DemoPlay {
       assertThat(left.toList()).as("left in the temporary folder").isEqualTo(List.of());
     }
     return said;
+  }
+
+  /**
+   * A sentence that comes out differently where the computer is too busy for the demonstration's
+   * pace, though all is well: that the first of two receivers answers, or that nothing was lost.
+   */
+  static String atPace(String sentence) {
+    return IS_STRICT ? sentence : "";
+  }
+
+  /** Says which sentence is missing and what stands in its place: the whole story has pages. */
+  private static void assertStory(String said, String... story) {
+    int from = 0;
+    for (String sentence : story) {
+      int found = said.indexOf(sentence, from);
+      if (found < 0) {
+        int known = Math.max(0, from - CONTEXT);
+        fail(
+            "the story does not say \"%s\" after \"…%s\"; it goes on: %s",
+            sentence, said.substring(known, from), said.substring(from));
+      }
+      from = found + sentence.length();
+    }
   }
 }
