@@ -33,10 +33,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * An agent whose process is suspended and resumed, as by {@code SIGSTOP} and {@code SIGCONT}, at
- * every half second of a recruitment and for every span. Its clock goes on; it handles no message
- * and no timer meanwhile, and all of them at once afterwards, in either order. What drives its
- * robot is another process and goes on.
+ * An agent whose process is suspended and resumed, as by {@code SIGSTOP} and {@code SIGCONT}, all
+ * through a recruitment ({@code -Ddfra.full=true}: every half second) and for every span. Its clock
+ * goes on; it handles no message and no timer meanwhile, and all of them at once afterwards, in
+ * either order. What drives its robot is another process and goes on.
  *
  * <p>There must never be two robots of which each has a valid lease of the task or moves for it.
  */
@@ -44,6 +44,7 @@ class SuspendedAgentTest {
 
   private static final Duration STEP = Duration.ofMillis(100);
   private static final double[] SPANS = {2, 7, 15, 30, 80}; // seconds
+  private static final double EACH = Boolean.getBoolean("dfra.full") ? 0.5 : 1.5; // seconds
   private static final double LAST = 45; // seconds: the recruitment is over by then, or another
 
   @ParameterizedTest(name = "{0}, letters first: {1}")
@@ -61,7 +62,7 @@ class SuspendedAgentTest {
 
   private static void suspendAtAnyTime(String robot, boolean lettersFirst, double optimism) {
     for (double span : SPANS) {
-      for (double from = 0.5; from < LAST; from += 0.5) {
+      for (double from = 0.5; from < LAST; from += EACH) {
         new Play(robot, from, span, lettersFirst, optimism).play();
       }
     }

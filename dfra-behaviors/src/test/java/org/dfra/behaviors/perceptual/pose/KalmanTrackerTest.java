@@ -3,6 +3,7 @@ package org.dfra.behaviors.perceptual.pose;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import java.util.stream.LongStream;
 import org.dfra.behaviors.perceptual.pose.Field.Errors;
 import org.dfra.behaviors.perceptual.pose.Field.Heard;
 import org.dfra.flow.perceptual.PoseEstimate;
@@ -14,12 +15,17 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
+/** {@code -Ddfra.full=true} takes rides of five seeds, otherwise of two. */
 class KalmanTrackerTest {
 
   /** Far from the truth, metres: many times the 0.15 m that white noise leaves. */
   private static final double FAR = 1;
+
+  static LongStream seeds() {
+    return LongStream.rangeClosed(1, Boolean.getBoolean("dfra.full") ? 5 : 2);
+  }
 
   private static KalmanTracker tracker() {
     return new KalmanTracker(TrackerTable.told(0), "r/map", Field.DATUM, null);
@@ -30,7 +36,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void goesOnWithOneReceiver(long seed) {
     Ride ride = new Ride(new Field(seed, Errors.WHITE, 300), tracker());
     ride.go(60).without(heard -> heard.antenna() == 0);
@@ -40,7 +46,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void bridgesAMinuteWithoutFixes(long seed) {
     KalmanTracker tracker = tracker();
     Field field = new Field(seed, Errors.WHITE, 300);
@@ -60,7 +66,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void leavesOutliersOut(long seed) {
     Field field = new Field(seed, Errors.WHITE, 300);
     KalmanTracker tracker = tracker();
@@ -83,7 +89,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void findsItselfWhenItWasCarriedAway(long seed) {
     KalmanTracker tracker = tracker();
     new Ride(new Field(seed, Errors.WHITE, 100), tracker).go(99);
@@ -98,7 +104,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void ignoresThatWheelsAreCountedAnew(long seed) {
     Field field = new Field(seed, Errors.WHITE, 300);
     KalmanTracker tracker = tracker();
@@ -109,7 +115,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
+  @MethodSource("seeds")
   void survivesAClockThatIsSet(long seed) {
     Field field = new Field(seed, Errors.WHITE, 400);
     for (double set : new double[] {-3600, 3600, -7}) {
@@ -205,7 +211,7 @@ class KalmanTrackerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3})
+  @MethodSource("seeds")
   void keepsItsCovarianceSymmetricAndPositive(long seed) {
     Field field = new Field(seed, Errors.WHITE.withBias(1.5), 300);
     KalmanTracker tracker = new KalmanTracker(TrackerSettings.DEFAULT, "r/map", Field.DATUM, null);
