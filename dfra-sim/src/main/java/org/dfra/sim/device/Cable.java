@@ -35,6 +35,7 @@ public final class Cable {
   private UnaryOperator<byte[]> fromDevice = SOUND;
   private @Nullable UartLine line; // to the device; null until it has been on a line
   private int portBaud; // of the computer's port; 0 where that follows the device
+  private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK); // looks are many
 
   Cable(SerialDevice device) {
     this.device = device;
@@ -154,9 +155,8 @@ public final class Cable {
    * computer what is returned.
    */
   synchronized byte[] pass(Instant now) {
-    ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
     if (line != null) {
-      line.take(chunk, now);
+      line.take(chunk.clear(), now);
       receive(taken(chunk), now);
     }
     chunk.clear();
