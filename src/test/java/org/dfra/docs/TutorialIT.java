@@ -14,10 +14,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.awaitility.Awaitility;
 import org.dfra.core.host.FreePorts;
 import org.dfra.module.Module;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -36,20 +39,17 @@ class TutorialIT {
   private static final Pattern FILE =
       Pattern.compile("`([\\w-]+(?:/[\\w-]+)*\\.(?:java|properties|xml|geojson))`");
 
+  /** What was compiled, as jars; the same for all tutorials. */
+  @TempDir static Path lib;
+
   @TempDir Path folder;
   private Path work;
   private String phoenixPort;
   private String registrarPort;
   private String classPort;
 
-  /** Where the reader has a clone, this has what was compiled, under the same names. */
-  @BeforeEach
-  void prepareAClone() throws IOException, InterruptedException {
-    work = Files.createDirectory(folder.resolve("my-sensors"));
-    phoenixPort = Integer.toString(FreePorts.next());
-    registrarPort = Integer.toString(FreePorts.next());
-    classPort = Integer.toString(FreePorts.next());
-    Path lib = Files.createDirectories(folder.resolve("lib"));
+  @BeforeAll
+  static void packLibraries() throws IOException {
     for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
       Path path = Path.of(entry);
       if (!path.startsWith(Documents.ROOT.resolve("src/test"))) {
@@ -58,17 +58,38 @@ class TutorialIT {
     }
     Path api = Path.of(Module.class.getProtectionDomain().getCodeSource().getLocation().getPath());
     copy(api, Files.createDirectory(lib.resolve("dl")));
+  }
+
+  /** Where the reader has a clone, this has what was compiled, under the same names. */
+  @BeforeEach
+  void prepareAClone() throws IOException {
+    work = Files.createDirectory(folder.resolve("my-sensors"));
+    phoenixPort = Integer.toString(FreePorts.next());
+    registrarPort = Integer.toString(FreePorts.next());
+    classPort = Integer.toString(FreePorts.next());
     Files.writeString(folder.resolve("dfra"), launcher());
     assertThat(folder.resolve("dfra").toFile().setExecutable(true)).isTrue();
   }
 
   /** A jar as it is, a folder of classes as a jar. */
-  private static void copy(Path entry, Path to) throws IOException, InterruptedException {
+  private static void copy(Path entry, Path to) throws IOException {
     if (Files.isRegularFile(entry)) {
       Files.copy(entry, to.resolve(entry.getFileName()));
     } else if (Files.isDirectory(entry)) { // .../dfra-core/target/classes, or Gradle's
       String name = Documents.ROOT.relativize(entry).toString().replace(File.separator, "-");
-      shell(to, "jar --create --file '" + name + ".jar' -C '" + entry + "' .");
+      pack(entry, to.resolve(name + ".jar"));
+    }
+  }
+
+  /** As {@code jar --create} does, of which each would be a process of its own. */
+  private static void pack(Path classes, Path jar) throws IOException {
+    try (ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(jar));
+        Stream<Path> files = Files.walk(classes)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        out.putNextEntry(new ZipEntry(classes.relativize(file).toString()));
+        Files.copy(file, out);
+        out.closeEntry();
+      }
     }
   }
 
@@ -77,7 +98,7 @@ class TutorialIT {
     return "#!/bin/sh\nset -eu\n"
         + (". '" + Documents.ROOT.resolve("src/dist/libexec/java.sh") + "'\n")
         + ("root='" + Documents.ROOT + "' home='" + System.getProperty("java.home") + "'\n")
-        + ("lib='" + folder.resolve("lib") + "' boot='" + System.getProperty("dfra.boot") + "'\n")
+        + ("lib='" + lib + "' boot='" + System.getProperty("dfra.boot") + "'\n")
         + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
         + "export DFRA_WAIT=20\n" // a module that is named is not awaited once it is found
         + ("[ $1 != up ] || set -- \"$@\" --port " + phoenixPort + " --registry-port -1\n")
@@ -88,10 +109,14 @@ class TutorialIT {
   void takeDown() {
     List<ProcessHandle> left =
         ProcessHandle.allProcesses()
-            .filter(each -> each.info().commandLine().orElse("").contains(folder.toString()))
+            .filter(each -> runsFrom(each, folder) || runsFrom(each, lib))
             .toList();
     left.forEach(ProcessHandle::destroyForcibly);
     Awaitility.await().until(() -> left.stream().noneMatch(ProcessHandle::isAlive));
+  }
+
+  private static boolean runsFrom(ProcessHandle process, Path folder) {
+    return process.info().commandLine().orElse("").contains(folder.toString());
   }
 
   @Test
@@ -133,7 +158,7 @@ class TutorialIT {
       switch (block.group(1)) {
         case "sh" -> {
           if (content.contains("dfra=~/dfra")) {
-            exports.add("export dfra='" + folder + "' lib='" + folder.resolve("lib") + "'");
+            exports.add("export dfra='" + folder + "' lib='" + lib + "'");
             exports.add("export boot='" + System.getProperty("dfra.boot") + "'");
             continue;
           }

@@ -36,13 +36,21 @@ final class RobotHost implements AutoCloseable {
    * Starts everything.
    *
    * @param number which of the hosts
-   * @param team folder of the robot's description, and discovery group
+   * @param team discovery group
+   * @param xml the robot's description
    * @param folder an empty folder of this host alone
    * @param time by what time the robot lives: {@code real} or as {@code DFRA_TIME} is written
    * @param client main class of the client and its further arguments; the first is the team, and
    *     the first that it says is which devices have which links, as {@code DEVICE=link ...}
    */
-  RobotHost(TestHosts hosts, int number, String team, Path folder, String time, List<String> client)
+  RobotHost(
+      TestHosts hosts,
+      int number,
+      String team,
+      Path xml,
+      Path folder,
+      String time,
+      List<String> client)
       throws IOException, InterruptedException {
     this.hosts = hosts;
     this.number = number;
@@ -59,8 +67,12 @@ final class RobotHost implements AutoCloseable {
       String[] parts = device.split("=");
       settings.put("DFRA_" + robot.toUpperCase(Locale.ROOT) + "_" + parts[0] + "_LINK", parts[1]);
     }
-    bringUp(
-        Path.of(System.getProperty("dfra.root"), "config/teams", team, robot + ".xml").toString());
+    bringUp(xml.toString());
+  }
+
+  /** A robot's description as it is shipped. */
+  static Path shipped(String team, String robot) {
+    return Path.of(System.getProperty("dfra.root"), "config/teams", team, robot + ".xml");
   }
 
   /** On a busy machine a registrar may not answer in time: then all is ended, and begun anew. */

@@ -24,6 +24,7 @@ import org.dfra.flow.perceptual.TeamTracker;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Incident;
 import org.dfra.module.Module;
+import org.dfra.module.NotReadyException;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.filter.SerialFilters;
@@ -74,11 +75,14 @@ final class SearcherClient implements AutoCloseable {
     System.exit(0);
   }
 
-  /** What is to be said; a call that failed is told as {@code failed: ...}. */
+  /**
+   * What is to be said. A call that failed is reported as {@code failed: ...}, and so is a module
+   * that has nothing fresh to give, as after a moment in which the computer did nothing else.
+   */
   private String answer(String[] words) throws IOException {
     try {
       return answer(words[0], words.length > 1 ? words[1] : "", words);
-    } catch (RemoteException | GoalRefusedException e) {
+    } catch (RemoteException | GoalRefusedException | NotReadyException e) {
       return "failed: " + e;
     }
   }

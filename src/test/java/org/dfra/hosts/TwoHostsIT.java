@@ -68,7 +68,8 @@ class TwoHostsIT {
 
   private static RobotHost host(int number, String name) throws Exception {
     List<String> client = List.of(HostClient.class.getName());
-    return new RobotHost(network, number, "field", folder.resolve(name), "real", client);
+    Path xml = RobotHost.shipped("field", "atrv" + (number + 1));
+    return new RobotHost(network, number, "field", xml, folder.resolve(name), "real", client);
   }
 
   @AfterAll

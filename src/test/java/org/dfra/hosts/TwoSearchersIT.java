@@ -15,11 +15,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.app.demo.stage.SimulatedField;
 import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.raster.SparseField;
+import org.dfra.app.raster.SparseField.Start;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
@@ -35,18 +38,27 @@ import org.junit.jupiter.api.io.TempDir;
  * Two robots on two hosts search a region by raster; the radio between them is cut silently. Their
  * devices are in one simulated world, at the ends of serial cables, which nobody cuts. The second
  * robot's clock is 0.8 s ahead and gains a tenth of a millisecond in a second.
+ *
+ * <p>The short form asks the same questions of a {@link SparseField}. It leaves to {@code
+ * dfra.full}: the robots as they are shipped, with a process for each device and the laser at full
+ * rate, a field with posts, and a cut that is longer than a lease.
  */
 @Timeout(1200)
 class TwoSearchersIT {
 
   private static final Path ROOT = Path.of(System.getProperty("dfra.root"));
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final Duration PATIENCE = Duration.ofSeconds(180);
 
   /**
    * Longer than the three seconds after which silence counts, and in a full run than a lease of 30
    * s, as {@link TwoHostsIT} always has it.
    */
-  private static final Duration CUT = Duration.ofSeconds(Boolean.getBoolean("dfra.full") ? 60 : 20);
+  private static final Duration CUT = Duration.ofSeconds(FULL ? 60 : 12);
+
+  /** In the short form: before the lanes at which the robots begin, at the ends of the region. */
+  private static final Map<String, Start> STARTS =
+      Map.of("atrv1", new Start(9, 2, 0), "atrv2", new Start(31, 2, Math.PI));
 
   /** What the second robot's clock gains, seconds in a second, and since how many seconds. */
   private static final double DRIFT = 1e-4;
@@ -75,8 +87,9 @@ class TwoSearchersIT {
     network = new TestHosts();
     stage = new Stage();
     sockets = Files.createTempDirectory("dfra-cables-"); // a socket's name must be short
-    SimulatedField world =
-        SimulatedField.start(stage, ROOT.resolve("config/worlds/raster.xml"), List.of("--seed=3"));
+    Path field =
+        FULL ? ROOT.resolve("config/worlds/raster.xml") : SparseField.world(folder, STARTS);
+    SimulatedField world = SimulatedField.start(stage, field, List.of("--seed=3"));
     RobotHost first = host(world, 0, "real");
     hosts = List.of(first);
     String skewed = String.format(Locale.ROOT, "%.4fx since %s", 1 + DRIFT, SKEWED_FROM);
@@ -101,12 +114,16 @@ class TwoSearchersIT {
       CABLES.add(SerialCable.deviceEnd(socket, line.getValue()));
       client.add(line.getKey().toUpperCase(Locale.ROOT) + "=" + socket);
     }
-    return new RobotHost(network, number, "raster", folder.resolve(robot), time, client);
+    Path xml =
+        FULL
+            ? RobotHost.shipped("raster", robot)
+            : SparseField.robot(folder, robot, "navigation", Set.of());
+    return new RobotHost(network, number, "raster", xml, folder.resolve(robot), time, client);
   }
 
   /** As many as its XML has. */
   private static int modules(String robot) throws Exception {
-    String xml = Files.readString(ROOT.resolve("config/teams/raster/" + robot + ".xml"));
+    String xml = Files.readString(RobotHost.shipped("raster", robot));
     return xml.split("<module ", -1).length - 1;
   }
 

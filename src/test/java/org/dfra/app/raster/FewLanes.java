@@ -24,12 +24,17 @@ public final class FewLanes {
 
   /** Between the field's obstacles, metres east and north: three lanes of 7.5 m. */
   public static Scenario scenario() throws Exception {
-    WorldDescription world = WorldXml.read(WORLD, name -> null);
+    return scenario(WORLD, ROBOT);
+  }
+
+  /** The same lanes in another world, for a robot that is described elsewhere. */
+  public static Scenario scenario(Path file, Path robot) throws Exception {
+    WorldDescription world = WorldXml.read(file, name -> null);
     LocalFrame frame = new LocalFrame(world.datum());
     List<GeoPosition> corners = new ArrayList<>();
     for (double[] corner : new double[][] {{11.5, 2.5}, {16.5, 2.5}, {16.5, 10}, {11.5, 10}}) {
       corners.add(frame.toGeo(new LocalPosition(corner[0], corner[1], 0)));
     }
-    return new Scenario(world, List.of(ROBOT), Region.of(corners), 2.5, 2);
+    return new Scenario(world, List.of(robot), Region.of(corners), 2.5, 2);
   }
 }

@@ -14,8 +14,18 @@ import java.util.concurrent.Future;
 import org.dfra.river.phoenix.GroupStatus.State;
 import org.junit.jupiter.api.Test;
 
-/** How a group's process ends, and what that leads to: the next start, a restart, a hold-off. */
+/**
+ * How a group's process ends, and what that leads to: the next start, a restart, a hold-off. The
+ * short form has shorter spans, in the same proportions; those of {@code dfra.full} leave more room
+ * for a busy computer.
+ */
 class GroupEndTest extends GroupFixture {
+
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+  private static final long HOLD_OFF_MILLIS = FULL ? 8000 : 4000;
+
+  /** Of one stopped process; of three, one after the other, it would be three times as long. */
+  private static final long UNEXPORT_MILLIS = FULL ? 10_000 : 4000;
 
   @Test
   void killedWhileItStartsTheCallerIsToldAndTheNextActivationWorks() throws Exception {
@@ -147,7 +157,8 @@ class GroupEndTest extends GroupFixture {
   @Test
   void crashLoopIsHeldOffSaidAndOverInTime() throws Exception {
     phoenix.close();
-    phoenix.start("restartLimit = 3; restartHoldOff = 8000L; restartDelay = 1L;");
+    phoenix.start(
+        "restartLimit = 3; restartHoldOff = " + HOLD_OFF_MILLIS + "L; restartDelay = 1L;");
     ActivationID broken =
         phoenix.object(system.registerGroup(InVmPhoenix.command("/bin/false")), true);
     assertThatExceptionOfType(ActivationException.class).isThrownBy(() -> broken.activate(false));
@@ -187,7 +198,7 @@ class GroupEndTest extends GroupFixture {
   @Test
   void stoppedProcessesDoNotDelayTheEndEachForItself() throws Exception {
     phoenix.close();
-    phoenix.start("unexportTimeout = 10000L;");
+    phoenix.start("unexportTimeout = " + UNEXPORT_MILLIS + "L;");
     List<Long> pids = new ArrayList<>();
     for (int i = 0; i < 3; i++) {
       int index = i + 1;
@@ -200,7 +211,9 @@ class GroupEndTest extends GroupFixture {
     phoenix.close();
     long millis = (System.nanoTime() - began) / 1_000_000;
     assertThat(pids).allSatisfy(pid -> assertThat(ProcessHandle.of(pid)).isEmpty());
-    assertThat(millis).as("ms for three stopped processes").isBetween(9_900L, 25_000L);
+    assertThat(millis)
+        .as("ms for three stopped processes")
+        .isBetween(UNEXPORT_MILLIS - 100, UNEXPORT_MILLIS * 5 / 2);
   }
 
   @Test

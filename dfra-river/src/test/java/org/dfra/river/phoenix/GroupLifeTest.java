@@ -24,6 +24,8 @@ import org.junit.jupiter.api.Test;
 /** Activator, activeGroup and ActivationMonitor: how a group's process comes and makes objects. */
 class GroupLifeTest extends GroupFixture {
 
+  private static final int ROUNDS = Boolean.getBoolean("dfra.full") ? 20 : 5;
+
   @Test
   void idleGroupIsStartedByTheFirstActivation() throws Exception {
     Future<?> activated = activate(object, false);
@@ -107,7 +109,7 @@ class GroupLifeTest extends GroupFixture {
 
   @Test
   void thirtyTwoThreadsMakeOneInstanceInColdAndLiveGroup() throws Exception {
-    for (int round = 0; round < 20; round++) {
+    for (int round = 0; round < ROUNDS; round++) {
       ActivationGroupID cold = phoenix.group();
       ActivationID first = phoenix.object(cold, false);
       ActivationID second = phoenix.object(cold, false);

@@ -5,7 +5,10 @@ import java.util.List;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.gpsd.GpsdImpl;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class GpsdDriverTest extends ReceiverDriverContract {
 
   @Override

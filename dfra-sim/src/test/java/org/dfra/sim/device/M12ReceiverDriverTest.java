@@ -5,8 +5,11 @@ import java.util.List;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.ReceiverImpl;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** What the M12+ has in common with all receivers; what is its own is in M12DriverTest. */
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class M12ReceiverDriverTest extends ReceiverDriverContract {
 
   @Override

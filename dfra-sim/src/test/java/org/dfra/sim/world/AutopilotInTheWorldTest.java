@@ -29,11 +29,14 @@ import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** The driver, the emulated autopilot, and the world's own multicopter under it. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // flights take long, and little of the computer
 class AutopilotInTheWorldTest {
 
   private static final int SPEED = 4; // times as fast as the computer's time

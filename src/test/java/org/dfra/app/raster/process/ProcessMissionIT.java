@@ -2,8 +2,11 @@ package org.dfra.app.raster.process;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.dfra.app.demo.stage.FieldRobot;
 import org.dfra.app.figure.Figure;
 import org.dfra.app.figure.Figures;
@@ -11,12 +14,20 @@ import org.dfra.app.raster.FewLanes;
 import org.dfra.app.raster.Flight;
 import org.dfra.app.raster.Flight.RobotFlight;
 import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.SparseField;
+import org.dfra.app.raster.SparseField.Start;
 import org.dfra.app.raster.ToldMarks;
 import org.dfra.app.raster.live.Trouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
-/** One robot in real processes searches a few lanes while processes are killed. */
+/**
+ * One robot in real processes searches a few lanes while processes are killed. The short form does
+ * so in a {@link SparseField}, beside whose lanes it starts, with one process for all devices. It
+ * leaves to {@code dfra.full} the robot as it is shipped, among posts, and its way to the lanes.
+ */
 @Timeout(600)
 class ProcessMissionIT {
 
@@ -27,12 +38,22 @@ class ProcessMissionIT {
   private static final String STOP =
       "navigation killed: last command to wheels standing (robot's time)";
 
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+
+  @TempDir Path folder;
+
   private final ToldMarks told = new ToldMarks();
   private final Figures figures = new Figures();
 
   private Flight fly(List<Trouble<FieldRobot>> troubles) throws Exception {
-    return new ProcessMission(
-            FewLanes.scenario(), FewLanes.WORLD, 1, LONGEST, robot -> robot, troubles, figures)
+    Path world = FewLanes.WORLD;
+    Scenario scenario = FewLanes.scenario();
+    if (!FULL) {
+      world = SparseField.world(folder, Map.of("atrv1", new Start(10.5, 3, 0)));
+      Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation"));
+      scenario = FewLanes.scenario(world, robot);
+    }
+    return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, troubles, figures)
         .run(told);
   }
 

@@ -24,6 +24,8 @@ import org.dfra.sim.device.laser.LmsMakeup;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -33,6 +35,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * its own way.
  */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class LmsBaudTest {
 
   private final InstantSource clock = FastClock.of(Laser.SPEED);

@@ -36,9 +36,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The real driver and the emulated gyro over TCP; both live by a clock twice as fast. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class Dsp3000DriverTest {
 
   private final InstantSource clock = FastClock.of(2);

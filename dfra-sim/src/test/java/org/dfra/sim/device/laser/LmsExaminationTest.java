@@ -19,9 +19,12 @@ import org.dfra.sim.device.FastClock;
 import org.dfra.sim.device.laser.LmsMakeup.Error;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The real driver examines and mends the emulated laser. */
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class LmsExaminationTest {
 
   private final InstantSource clock = FastClock.of(Laser.SPEED);
