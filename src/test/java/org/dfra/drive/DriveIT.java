@@ -59,8 +59,8 @@ class DriveIT {
 
   @BeforeAll
   static void bringUp() throws Exception {
-    robot = WheeledRobot.start(folder, "drive", "odometry", "battery");
     StallProbe.Stopwatch running = probe.stopwatch();
+    robot = WheeledRobot.start(folder, "drive", "odometry", "battery");
     wheels = robot.wheels();
     phoenix = robot.phoenix();
     drive = robot.drive();
