@@ -20,6 +20,8 @@ import org.awaitility.core.ConditionFactory;
 import org.dfra.app.MarkedProcesses;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.module.NotReadyException;
@@ -211,7 +213,7 @@ public final class WheeledRobot implements AutoCloseable {
 
   /**
    * Makes it as it was at first, for the next test that shares it: its processes let go on, its
-   * drive ready and released, its wheels at rest and nobody in command of them.
+   * drive ready and released, its wheels at rest, braked, and nobody in command of them.
    */
   void reset() throws Exception {
     phoenix.note();
@@ -224,6 +226,10 @@ public final class WheeledRobot implements AutoCloseable {
     assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
     patiently().until(() -> drive.drive().commander() == null);
     patiently().until(() -> wheels.standingSince() != null);
+    try (CommandLease lease = drive.command(PATIENCE)) {
+      drive.obey(lease.key(), new Brake(true));
+    }
+    patiently().until(() -> drive.drive().commander() == null && drive.drive().brake());
     phoenix.note();
   }
 
