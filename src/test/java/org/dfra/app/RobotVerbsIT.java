@@ -55,6 +55,9 @@ class RobotVerbsIT {
 
   @AfterAll
   static void endWhatIsLeft() {
+    for (Robot each : ROBOTS) { // all of them, before one is waited for
+      each.processes().living().forEach(ProcessHandle::destroyForcibly);
+    }
     ROBOTS.forEach(each -> each.processes().close());
   }
 

@@ -212,8 +212,8 @@ public final class WheeledRobot implements AutoCloseable {
   }
 
   /**
-   * Makes it as it was at first, for the next test that shares it: its processes let go on, its
-   * drive ready and released, its wheels at rest, braked, and nobody in command of them.
+   * Makes it as it was at first, for the next test that shares it: its drive ready and released,
+   * its wheels stopped and braked, and nobody in command of them.
    */
   void reset() throws Exception {
     phoenix.note();

@@ -40,7 +40,7 @@ class RobotClassesIT {
   private static LivingPhoenix phoenix;
 
   /** The process that brings robots up, as {@code ./dfra up} with jars of its own beside DFRA's. */
-  private static TalkingProcess bringer;
+  private static TalkingProcess starter;
 
   private static Robot r1;
 
@@ -98,7 +98,7 @@ class RobotClassesIT {
     Path robots = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robots' own");
     Path server = KindJar.lidarServer(folder, robots);
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
-    bringer =
+    starter =
         Role.start(
             List.of(robots, server),
             List.of("-Ddfra.serial.allow=sample.lidar.*", "-Ddfra.lib=" + folder.resolve("lib")),
@@ -106,13 +106,13 @@ class RobotClassesIT {
             phoenix.process().host(),
             Integer.toString(phoenix.process().port()),
             phoenix.process().state().toString());
-    bringer.awaitLine();
+    starter.awaitLine();
   }
 
   @AfterAll
   static void end() throws Exception {
     try (LivingPhoenix ended = phoenix;
-        TalkingProcess left = bringer) {
+        TalkingProcess left = starter) {
       assertThat(ended != null && left != null).as("phoenix and the process beside").isTrue();
     }
   }
@@ -120,7 +120,7 @@ class RobotClassesIT {
   /** Brings a robot up, and answers what that says of its class server. */
   private static String up(Robot robot) throws Exception {
     try {
-      return bringer.ask(robot.xml().toString());
+      return starter.ask(robot.xml().toString());
     } finally {
       phoenix.note();
     }
