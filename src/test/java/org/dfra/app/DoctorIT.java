@@ -10,8 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
@@ -35,7 +38,9 @@ class DoctorIT {
     Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
     Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
-      Outcome none = doctor(processes, state);
+      processes.set("DFRA_WAIT", "2"); // for nobody
+      Outcome none = processes.dfra(PATIENCE, asked(state));
+      assertThat(none.err()).isEmpty();
       assertThat(found(none, "phoenix")).containsExactly("warn");
       assertThat(found(none, "registrar")).containsExactly("warn");
       assertThat(none.exit()).as("no robot is no failure: " + none.out()).isZero();
@@ -55,7 +60,7 @@ class DoctorIT {
               .atMost(PATIENCE.multipliedBy(3))
               .until(
                   () -> {
-                    Outcome said = doctor(processes, state);
+                    Outcome said = doctor(state, 20);
                     return found(said, "clock").contains("ok") ? said : null;
                   },
                   Objects::nonNull);
@@ -74,25 +79,35 @@ class DoctorIT {
       long lookup = pidOf(well, "group r1.lookup is process ");
       signal(lookup, "STOP");
       try {
-        processes.set("DFRA_WAIT", "10"); // it is all used up, each time
-        Outcome ill = doctor(processes, state);
-        assertThat(found(ill, "registrar")).containsExactly("fail");
-        assertThat(ill.exit()).as(ill.out()).isEqualTo(1);
+        CompletableFuture<Outcome> beside =
+            CompletableFuture.supplyAsync(() -> doctor(state, 10)); // it is all used up, each time
+        processes.set("DFRA_WAIT", "10");
         Outcome told = processes.dfra(PATIENCE, "doctor", "--team=", state);
         assertThat(told.out())
             .contains("FAIL  registrar", "→ ")
             .doesNotContain("\u001b")
             .containsPattern("\n1 failure, \\d+ warnings?\\.\n$|\n1 failure\\.\n$");
+        assertThat(told.exit()).as(told.out()).isEqualTo(1);
+        Outcome ill = beside.get();
+        assertThat(found(ill, "registrar")).containsExactly("fail");
+        assertThat(ill.exit()).as(ill.out()).isEqualTo(1);
       } finally {
         signal(lookup, "CONT");
       }
-      assertThat(processes.dfra(PATIENCE, "down", state).exit()).isZero();
+      assertThat(MarkedProcesses.here("down", state).exit()).isZero();
     }
   }
 
-  private static Outcome doctor(MarkedProcesses processes, String state) throws Exception {
+  private static String[] asked(String state) {
+    return new String[] {"doctor", "--json", "--team=", "--host=127.0.0.1", state};
+  }
+
+  /** Asks in the test's own virtual machine. */
+  private static Outcome doctor(String state, int wait) {
     Outcome outcome =
-        processes.dfra(PATIENCE, "doctor", "--json", "--team=", "--host=127.0.0.1", state);
+        MarkedProcesses.here(
+            Stream.concat(Arrays.stream(asked(state)), Stream.of("--wait=" + wait))
+                .toArray(String[]::new));
     assertThat(outcome.err()).isEmpty();
     return outcome;
   }

@@ -21,10 +21,10 @@ import picocli.CommandLine;
  * Runs {@link Main} in processes that can be told from all others: a folder that does not exist is
  * the first on their class path, and on that of every process they start.
  */
-final class MarkedProcesses implements AutoCloseable {
+public final class MarkedProcesses implements AutoCloseable {
 
   /** What a run said and how it ended. */
-  record Outcome(int exit, String out, String err) {}
+  public record Outcome(int exit, String out, String err) {}
 
   private final Path mark;
   private final List<String> options;
@@ -84,7 +84,7 @@ final class MarkedProcesses implements AutoCloseable {
    * without a virtual machine that first has to start, for what asks and starts nothing. Variables
    * that were {@link #set} do not count here.
    */
-  static Outcome here(String... arguments) {
+  public static Outcome here(String... arguments) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     CommandLine line = Main.commandLine(arguments);

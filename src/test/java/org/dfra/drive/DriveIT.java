@@ -7,9 +7,11 @@ import static org.awaitility.Awaitility.await;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
-import org.awaitility.core.ConditionFactory;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
 import org.dfra.core.time.StallProbe;
@@ -23,10 +25,10 @@ import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
 import org.dfra.module.Module;
-import org.dfra.module.NotReadyException;
 import org.dfra.robot.LivingPhoenix;
 import org.dfra.testing.TalkingProcess;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -34,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A robot's wheels, odometry and battery in one group, a process of its own; whoever dies, the
- * wheels stand in time.
+ * wheels stand in time. All tests share the robot, which each finds as it was at first.
  */
 @Timeout(180)
 class DriveIT {
@@ -42,39 +44,54 @@ class DriveIT {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final Velocity AHEAD = new Velocity(1, 0);
 
-  @TempDir Path folder;
+  /** As short as a busy machine allows, for those tests that wait for its end. */
+  private static final Duration SHORT_LEASE = Duration.ofSeconds(5);
 
-  private final StallProbe probe = StallProbe.start();
-  private WheeledRobot robot;
-  private Wheels wheels;
-  private LivingPhoenix phoenix;
-  private DriveEffector drive;
+  @TempDir static Path folder;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  private static final StallProbe probe = StallProbe.start();
+  private static WheeledRobot robot;
+  private static Wheels wheels;
+  private static LivingPhoenix phoenix;
+  private static DriveEffector drive;
+  private static OdometrySensor odometry;
+  private static BatterySensor battery;
+
+  @BeforeAll
+  static void bringUp() throws Exception {
+    StallProbe.Stopwatch running = probe.stopwatch();
     robot = WheeledRobot.start(folder, "drive", "odometry", "battery");
     wheels = robot.wheels();
     phoenix = robot.phoenix();
     drive = robot.drive();
+    odometry = (OdometrySensor) find("OdometrySensor with sensor.reading = Odometry").module();
+    battery = (BatterySensor) find("BatterySensor").module();
+    awaitAll();
+    for (Module each : List.of(drive, odometry, battery)) {
+      assertNoFailures(each, Instant.MIN, running.stop());
+    }
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @BeforeEach
+  void reset() throws Exception {
+    robot.reset();
+    awaitAll();
+  }
+
+  private static void awaitAll() throws Exception {
+    assertThat(odometry.awaitReadiness(PATIENCE).serves()).isTrue();
+    assertThat(battery.awaitReadiness(PATIENCE).serves()).isTrue();
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
     probe.close();
     if (robot != null) { // else it has said why, and nothing is left of it
       robot.close();
     }
   }
 
-  /** On a busy machine a reading may be too old for a moment, and a call miss its deadline. */
-  private static ConditionFactory patiently() {
-    return await()
-        .atMost(PATIENCE)
-        .ignoreExceptionsMatching(
-            e -> e instanceof RemoteException || e instanceof NotReadyException);
-  }
-
-  private ModuleListing<?> find(String query) throws Exception {
+  private static ModuleListing<?> find(String query) throws Exception {
     return robot
         .directory()
         .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), PATIENCE)
@@ -84,32 +101,36 @@ class DriveIT {
   @Test
   void threeModulesShareOneControllerAndAreFoundByWhatTheyCanDo() throws Exception {
     StallProbe.Stopwatch running = probe.stopwatch();
+    Instant began = Instant.now().truncatedTo(ChronoUnit.MILLIS);
     ModuleListing<?> counted = find("OdometrySensor with sensor.reading = Odometry");
     ModuleListing<?> fed = find("BatterySensor");
+    assertThat(counted.module()).isEqualTo(odometry);
+    assertThat(fed.module()).isEqualTo(battery);
     assertThat(find("DriveEffector with drive.length <= 0.8").attributes())
         .asString()
         .contains("maxSpeed=1.0", "length=0.78", "width=0.64", "Brake", "Velocity");
-    OdometrySensor odometry = (OdometrySensor) counted.module();
-    BatterySensor battery = (BatterySensor) fed.module();
-    assertThat(odometry.awaitReadiness(PATIENCE).serves()).isTrue();
-    assertThat(battery.awaitReadiness(PATIENCE).serves()).isTrue();
+    double driven = wheels.distance();
+    AtomicReference<Double> counts = new AtomicReference<>();
+    WheeledRobot.patiently().untilAsserted(() -> counts.set(odometry.odometry().x()));
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), new Velocity(0.5, 0))) {
-      await().atMost(PATIENCE).until(() -> wheels.distance() > 0.5);
-      patiently().until(() -> odometry.odometry().x() > 0.5);
+      await().atMost(PATIENCE).until(() -> wheels.distance() > driven + 0.5);
+      WheeledRobot.patiently().until(() -> odometry.odometry().x() > counts.get() + 0.5);
       assertThat(odometry.odometry().child()).isEqualTo("eta/base_link");
       assertThat(battery.battery().voltage()).isBetween(25.19, 25.21);
     }
     wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
     for (Module each : List.of(drive, odometry, battery)) {
-      assertNoFailures(each, running.stop());
+      assertNoFailures(each, began, running.stop());
     }
   }
 
   /** Reports that came late are excused only where the computer itself stalled. */
-  private static void assertNoFailures(Module module, Timing timing) throws RemoteException {
+  private static void assertNoFailures(Module module, Instant since, Timing timing)
+      throws RemoteException {
     List<String> failures =
         module.history().recent().stream()
             .filter(incident -> incident.kind() == Incident.Kind.FAILURE)
+            .filter(incident -> !incident.when().isBefore(since))
             .map(Incident::what)
             .toList();
     if (!failures.isEmpty() && timing.isStalled()) {
@@ -123,7 +144,7 @@ class DriveIT {
 
   @Test
   void theWheelsStandInTimeWhenTheGroupThatDrivesThemIsKilled() throws Exception {
-    try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+    try (Commander commander = new Commander(drive, SHORT_LEASE, AHEAD)) {
       robot.awaitFullSpeed();
       phoenix.kill("eta.wheels");
       await().atMost(PATIENCE).until(commander::hasGivenUp);
@@ -144,7 +165,7 @@ class DriveIT {
 
   @Test
   void theWheelsStandInTimeWhenTheirCommanderIsKilledAndAnotherMayCommand() throws Exception {
-    try (TalkingProcess commander = commander("10000")) {
+    try (TalkingProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
       assertThat(commander.awaitLine()).isEqualTo("commanding");
       robot.awaitFullSpeed();
       assertThatThrownBy(() -> drive.command(Duration.ofSeconds(1)))
@@ -155,7 +176,7 @@ class DriveIT {
       await().atMost(PATIENCE).until(() -> !victim.isAlive());
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
     }
-    patiently().until(() -> drive.drive().commander() == null);
+    WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();
     }
@@ -165,12 +186,13 @@ class DriveIT {
   void theWheelsStandInTimeWhenAnAdministratorRevokesTheirCommander() throws Exception {
     try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();
-      String listed = dfra("lease", "list", "eta/drive");
+      String listed = answered(robot.askHere("lease", "list", "eta/drive"));
       assertThat(listed.replaceAll(" +", " "))
           .contains("eta/drive commander a program at 127.0.0.1 ");
       String row = listed.lines().filter(each -> each.contains("commander")).findFirst().get();
       String lease = row.substring(row.lastIndexOf(' ') + 1);
-      assertThat(dfra("lease", "revoke", "eta/drive", lease)).startsWith("Revoked lease " + lease);
+      assertThat(answered(robot.ask("lease", "revoke", "eta/drive", lease)))
+          .startsWith("Revoked lease " + lease);
       await().atMost(PATIENCE).until(commander::hasGivenUp);
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
@@ -178,9 +200,8 @@ class DriveIT {
     }
   }
 
-  /** What {@code ./dfra} answers to a question that it can answer. */
-  private String dfra(String... words) throws Exception {
-    WheeledRobot.Said said = robot.ask(words);
+  /** What {@code ./dfra} has answered to a question that it can answer. */
+  private static String answered(WheeledRobot.Said said) {
     assertThat(said.status()).as(said.text()).isZero();
     return said.text();
   }
@@ -198,7 +219,7 @@ class DriveIT {
         WheeledRobot.signal("CONT", pid);
       }
     }
-    patiently().until(() -> drive.drive().commander() == null);
+    WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
     wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
   }
 

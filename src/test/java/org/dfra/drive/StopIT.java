@@ -8,9 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 import java.util.Objects;
+import java.util.stream.Stream;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
@@ -22,13 +22,17 @@ import org.dfra.flow.effector.StopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.robot.LivingPhoenix;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code ./dfra stop} halts a robot that drives, whatever else has died, and it stays so. */
+/**
+ * {@code ./dfra stop} halts a robot that drives, whatever else has died, and it stays so. All tests
+ * share the robot, which each finds as it was at first.
+ */
 @Timeout(240)
 class StopIT {
 
@@ -36,32 +40,50 @@ class StopIT {
   private static final Duration LEASE = Duration.ofSeconds(10);
   private static final Velocity AHEAD = new Velocity(1, 0);
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private WheeledRobot robot;
-  private Wheels wheels;
-  private LivingPhoenix phoenix;
-  private DriveEffector drive;
+  private static WheeledRobot robot;
+  private static Wheels wheels;
+  private static LivingPhoenix phoenix;
+  private static DriveEffector drive;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
     robot = WheeledRobot.start(folder, "drive");
     wheels = robot.wheels();
     phoenix = robot.phoenix();
     drive = robot.drive();
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @BeforeEach
+  void reset() throws Exception {
+    remember(robot.xml());
+    robot.reset();
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
     if (robot != null) { // else it has said why, and nothing is left of it
       robot.close();
     }
   }
 
-  private Said stop(String... words) throws Exception {
-    List<String> all = new ArrayList<>(List.of("stop"));
-    all.addAll(List.of(words));
-    return robot.ask(all.toArray(String[]::new));
+  private static void remember(Path xml) throws Exception {
+    new KnownRobots(phoenix.process().state()).remember(RobotXml.read(xml));
+  }
+
+  /** {@code ./dfra stop}, as a process. */
+  private static Said stop(String... words) throws Exception {
+    return robot.ask(verb(words));
+  }
+
+  /** The same in this process. */
+  private static Said stopHere(String... words) throws Exception {
+    return robot.askHere(verb(words));
+  }
+
+  private static String[] verb(String... words) {
+    return Stream.concat(Stream.of("stop"), Arrays.stream(words)).toArray(String[]::new);
   }
 
   /** Waits until the wheels stand, and prints how long they needed. */
@@ -91,8 +113,8 @@ class StopIT {
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
     }
     assertNobodyCommands();
-    assertThat(stop("eta").text()).startsWith("eta/drive: was stopped already, since 2");
-    assertThat(robot.dfra("status").text())
+    assertThat(stopHere("eta").text()).startsWith("eta/drive: was stopped already, since 2");
+    assertThat(robot.dfraHere("status").text())
         .contains("eta/drive is stopped for an emergency since 2");
 
     phoenix.kill("eta.wheels");
@@ -102,7 +124,7 @@ class StopIT {
     StopState kept = drive.stopState();
     assertThat(kept.latched()).as("in the next incarnation").isTrue();
     assertNobodyCommands();
-    assertThat(robot.dfra("up", robot.xml().toString()).text())
+    assertThat(robot.dfraHere("up", robot.xml().toString()).text())
         .contains("But eta/drive is stopped for an emergency since " + kept.since());
     ModuleQuery<?> query =
         new QueryParser(QueryVocabulary.usual()).parse("DriveEffector with stop.latched = true");
@@ -142,7 +164,7 @@ class StopIT {
     Path edited = folder.resolve("edited.xml");
     Files.writeString(
         edited, Files.readString(robot.xml()).replace("name=\"drive\"", "name=\"motor\""));
-    new KnownRobots(phoenix.process().state()).remember(RobotXml.read(edited));
+    remember(edited);
     try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
       robot.awaitFullSpeed();
       long pid = phoenix.group("eta.lookup").pid();
@@ -150,7 +172,7 @@ class StopIT {
       try {
         Instant typed = Instant.now();
         Said said =
-            robot.dfra("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
+            robot.dfraHere("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
         assertThat(said.text())
             .contains("eta/drive: stopped.\n", "eta/motor: NOT STOPPED: phoenix of this host");
         assertThat(said.status()).isEqualTo(4);
@@ -173,11 +195,12 @@ class StopIT {
           .startsWith("eta/drive: NOT STOPPED: ")
           .endsWith("1 effector: 1 NOT STOPPED. Use the robot's own emergency stop.\n");
     } finally {
-      WheeledRobot.signal("CONT", pid);
+      // Not let go on: it might still stop then, of the orders in its sockets, in the next test.
+      phoenix.kill("eta.wheels");
     }
-    assertThat(stop("theta", "--json").status()).as("there is no such robot").isEqualTo(3);
-    assertThat(stop().status()).as("neither a robot nor --all").isEqualTo(2);
-    assertThat(stop("eta", "--all").status()).as("both").isEqualTo(2);
+    assertThat(stopHere("theta", "--json").status()).as("there is no such robot").isEqualTo(3);
+    assertThat(stopHere().status()).as("neither a robot nor --all").isEqualTo(2);
+    assertThat(stopHere("eta", "--all").status()).as("both").isEqualTo(2);
   }
 
   @Test

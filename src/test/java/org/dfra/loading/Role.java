@@ -53,7 +53,7 @@ final class Role {
       case "server" ->
           server(Integer.parseInt(args[1]), Integer.parseInt(args[2]), args[3], args[4]);
       case "hostile" -> hostile(args[1]);
-      case "robot" -> robot(args[1], Integer.parseInt(args[2]), args[3], args[4]);
+      case "robot" -> robot(args[1], Integer.parseInt(args[2]), args[3]);
       case "client" -> client();
       default -> throw new IllegalArgumentException(args[0]);
     }
@@ -143,11 +143,11 @@ final class Role {
     }
   }
 
-  /** For each line of input: brings a robot up and says what it says of its class server. */
-  private static void robot(String host, int port, String state, String xml) throws Exception {
+  /** For each robot's XML on its input: brings it up and says what it says of its class server. */
+  private static void robot(String host, int port, String state) throws Exception {
     say("ready");
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
-    while (in.readLine() != null) {
+    for (String xml; (xml = in.readLine()) != null; ) {
       RobotBootstrap bootstrap =
           new RobotBootstrap(
               new PhoenixProcess(host, port, -1, Path.of(state)), RobotXml.read(Path.of(xml)));

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dfra.testing.TalkingProcess;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,7 @@ class TrustedCodeIT {
   private static Path team;
   private static Path stranger;
   private static TalkingProcess registrar;
+  private static @Nullable TalkingProcess refusing;
   private static String port;
 
   @TempDir private Path folder;
@@ -49,16 +51,31 @@ class TrustedCodeIT {
   }
 
   @AfterAll
-  static void stopRegistrar() throws Exception {
-    if (registrar != null) {
-      registrar.close();
+  static void stopProcesses() throws Exception {
+    try (TalkingProcess one = registrar;
+        TalkingProcess other = refusing) {
+      assertThat(one).as("the registrar").isNotNull();
     }
+  }
+
+  /** One client for whatever must not be loaded; what it says of it, and logs of it alone. */
+  private static void assertRefused(String port, String... sentences) throws Exception {
+    TalkingProcess client = refusing;
+    if (client == null) {
+      client = client(shared);
+      refusing = client;
+    }
+    int before = client.output().length();
+    assertThat(client.ask(port)).startsWith("refused: ").contains(sentences);
+    assertThat(marker(shared)).doesNotExist();
+    String logged = client.output().substring(before);
+    assertThat(logged).as("the log tells the operator").contains("WARN");
   }
 
   @Test
   void aKindTheClientHasNeverSeenIsUsedAndAfterItIsRebuiltTheNewOne() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "first"), team);
-    try (TalkingProcess client = client()) {
+    try (TalkingProcess client = client(folder)) {
       String classPort;
       try (TalkingProcess server = server(jar, "0", "honest")) {
         classPort = server.awaitLine();
@@ -87,15 +104,9 @@ class TrustedCodeIT {
     if (!signer.equals("nobody")) {
       KindJar.sign(jar, signer.equals("team") ? team : stranger);
     }
-    try (TalkingProcess server = server(jar, "0", lie);
-        TalkingProcess client = client()) {
+    try (TalkingProcess server = server(jar, "0", lie)) {
       server.awaitLine();
-      assertThat(client.ask(port))
-          .startsWith("refused: ")
-          .contains("sample.lidar.LidarProxy was not loaded: codebase http")
-          .contains(why);
-      assertThat(marker()).doesNotExist();
-      assertThat(client.output()).as("the log tells the operator").contains("WARN");
+      assertRefused(port, "sample.lidar.LidarProxy was not loaded: codebase http", why);
     }
   }
 
@@ -103,13 +114,11 @@ class TrustedCodeIT {
   void aHostileRegistrarLoadsNothing() throws Exception {
     Path jar = KindJar.registrar(folder);
     try (TalkingProcess hostile =
-            Role.start(List.of(jar), List.of(), "hostile", folder.toString());
-        TalkingProcess client = client()) {
-      assertThat(client.ask(hostile.awaitLine()))
-          .startsWith("refused: ")
-          .contains("sample.evil.Registrar was not loaded: codebase httpmd://")
-          .contains("the jar is not signed");
-      assertThat(marker()).doesNotExist();
+        Role.start(List.of(jar), List.of(), "hostile", folder.toString())) {
+      assertRefused(
+          hostile.awaitLine(),
+          "sample.evil.Registrar was not loaded: codebase httpmd://",
+          "the jar is not signed");
     }
   }
 
@@ -117,10 +126,10 @@ class TrustedCodeIT {
   void theMarkerIsWrittenWhereTheCodeIsTrusted() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "trusted"), team);
     try (TalkingProcess server = server(jar, "0", "honest");
-        TalkingProcess client = client()) {
+        TalkingProcess client = client(folder)) {
       server.awaitLine();
       assertThat(client.ask(port)).startsWith("found [trusted");
-      assertThat(marker()).as("so its absence elsewhere says something").exists();
+      assertThat(marker(folder)).as("so its absence elsewhere says something").exists();
     }
   }
 
@@ -129,17 +138,23 @@ class TrustedCodeIT {
         List.of(jar), List.of(), "server", port, classPort, jar.getParent().toString(), lie);
   }
 
-  private TalkingProcess client() throws Exception {
-    Path trust = folder.resolve("trust.properties");
+  /**
+   * A client that trusts the team's key.
+   *
+   * @param own its folder, where code that runs in it leaves its mark
+   */
+  private static TalkingProcess client(Path own) throws Exception {
+    Path trust = own.resolve("trust.properties");
     Files.writeString(
         trust, "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n");
     TalkingProcess client =
-        Role.start(List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker()), "client");
+        Role.start(
+            List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker(own)), "client");
     client.awaitLine();
     return client;
   }
 
-  private Path marker() {
-    return folder.resolve("marker");
+  private static Path marker(Path own) {
+    return own.resolve("marker");
   }
 }

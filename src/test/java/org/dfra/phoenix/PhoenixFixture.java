@@ -331,6 +331,24 @@ class PhoenixFixture implements AutoCloseable {
     return folder.resolve(name + ".device");
   }
 
+  /**
+   * Forgets every group and ends its processes, so that the next test finds this phoenix as one
+   * that has just begun. Fails where phoenix does not answer.
+   */
+  void clear() throws Exception {
+    @SuppressWarnings("unchecked") // as phoenix declares it
+    Map<ActivationGroupID, ActivationGroupDesc> groups = admin().getActivationGroups();
+    for (ActivationGroupID group : groups.keySet()) {
+      system().unregisterGroup(group);
+    }
+    vms().values().forEach(pids -> pids.forEach(PhoenixFixture::kill));
+    await("phoenix without a group")
+        .atMost(PATIENCE)
+        .pollInterval(Duration.ofMillis(10))
+        .ignoreExceptionsInstanceOf(RemoteException.class)
+        .until(() -> admin().groupStatus().isEmpty() && vms().isEmpty());
+  }
+
   /** Fails if a device ever had two owners at once. */
   void assertNoDeviceConflict() throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
