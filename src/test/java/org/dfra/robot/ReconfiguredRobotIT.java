@@ -19,6 +19,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleListing;
@@ -101,6 +102,10 @@ class ReconfiguredRobotIT {
   }
 
   private static String module(String name, int celsius) {
+    return module(name, celsius, name);
+  }
+
+  private static String module(String name, int celsius, String device) {
     return """
     <module name="%s" server="%s" proxy="%s" driver="%s">
       <parameter name="celsius" value="%d"/>
@@ -113,27 +118,34 @@ class ReconfiguredRobotIT {
             ThermometerProxy.class.getName(),
             DeviceInUseImpl.class.getName(),
             celsius,
-            device(name));
+            device(device));
   }
 
   /** Brings robot mu up with these groups beside that of its registrar. */
   private void up(String groups) throws Exception {
-    up("mu", group("lookup", "<registrar port=\"" + port + "\" classes=\"off\"/>\n") + groups);
+    up("mu", lookup() + groups);
+  }
+
+  private static String lookup() {
+    return group("lookup", "<registrar port=\"" + port + "\" classes=\"off\"/>\n");
   }
 
   private void up(String robot, String groups) throws Exception {
-    Path xml =
-        Files.writeString(
-            folder.resolve(robot + ".xml"),
-            "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"%s\">\n%s</robot>\n"
-                .formatted(robot, HOST, groups));
+    RobotDescription description = described(robot, groups);
     try {
       List<RobotBootstrap.Service> unused =
-          new RobotBootstrap(phoenix.process(), RobotXml.read(xml))
-              .up(step -> steps.add(inWords(step)));
+          new RobotBootstrap(phoenix.process(), description).up(step -> steps.add(inWords(step)));
     } finally {
       phoenix.note();
     }
+  }
+
+  private static RobotDescription described(String robot, String groups) throws IOException {
+    return RobotXml.read(
+        Files.writeString(
+            folder.resolve(robot + ".xml"),
+            "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"%s\">\n%s</robot>\n"
+                .formatted(robot, HOST, groups)));
   }
 
   private static String inWords(BringUpStep step) {
@@ -313,6 +325,40 @@ class ReconfiguredRobotIT {
     } finally {
       RobotRemoval.of(phoenix.process(), "nu", PATIENCE);
     }
+  }
+
+  /** What {@code module add} and its siblings do; the drive's driver still has the device. */
+  @Test
+  void noSingleModuleIsStartedBesideADriverThatPhoenixHasForgotten() throws Exception {
+    awaitCelsius("drive", 1);
+    ProcessHandle left = forgetDrive();
+    RobotDescription mast = described("mu", lookup() + group("one", module("mast", 4, "drive")));
+    RobotBootstrap robot = new RobotBootstrap(phoenix.process(), mast);
+    RobotBootstrap.Service unused = robot.add(mast.modules().get(0), "one");
+    assertThat(left.isAlive()).isFalse();
+    awaitCelsius("mast", 4);
+
+    robot.remove("mast");
+    RobotDescription eye = described("mu", lookup() + group("two", module("eye", 5, "drive")));
+    up(drive(1, "one") + eye(1, "two"));
+    left = forgetDrive();
+    unused = robot.replace(eye.modules().get(0));
+    assertThat(left.isAlive()).isFalse();
+    awaitCelsius("eye", 5);
+
+    robot.remove("eye"); // it has the drive's device
+    up(drive(1, "one") + eye(1, "two"));
+    left = forgetDrive();
+    robot.start("eye");
+    assertThat(left.isAlive()).isFalse();
+  }
+
+  /** Phoenix forgets the drive, whose process goes on. */
+  private static ProcessHandle forgetDrive() throws Exception {
+    ProcessHandle process = ProcessHandle.of(phoenix.group("mu.one").pid()).orElseThrow();
+    unregisterObjects("mu.one");
+    assertThat(process.isAlive()).isTrue();
+    return process;
   }
 
   @SuppressWarnings("unchecked") // as phoenix declares it

@@ -35,6 +35,9 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   /** How long somebody waits for the driver who must not wait for it. */
   static final Duration DRIVER_PATIENCE = Duration.ofMillis(100);
 
+  /** How long whoever gives the command up waits until the driver rests, as an emergency stop. */
+  private static final Duration REST_PATIENCE = Duration.ofMillis(500);
+
   private final Scheduler time;
   private final Helm helm;
   private final EmergencyStop stop;
@@ -63,6 +66,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
             context.clock(),
             this::commanderLost,
             this::heldUp,
+            this::haltSoon,
             latch,
             this::revoke);
     this.stop = new EmergencyStop(context.path(), latch, helm, new StopEnds());
@@ -116,6 +120,11 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
+  /** On the thread for halts; whoever asks for it waits for a moment at the most. */
+  private void haltSoon(Runnable task) {
+    boolean unused = halts().executeWithin(task, REST_PATIENCE);
+  }
+
   /** A command that is under way when the commander is lost seems to be held up. */
   private void heldUp() {
     if (readiness() != Readiness.STOPPED) { // whoever ends it has done so
@@ -131,14 +140,20 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   @Override
   protected final void endLeases() {
     if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
-      if (!halts().executeWithin(super::endLeases, DRIVER_PATIENCE)) {
+      if (!halts().executeWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
       return;
     }
     log.warn("{}: a command is held up in its driver, which is closed nevertheless", path());
     boolean unused = halts().executeWithin(this::haltMeanwhile, DRIVER_PATIENCE);
-    halts().execute(super::endLeases);
+    halts().execute(this::endLeasesAndSettle);
+  }
+
+  /** Somebody may have given the command up just now, whose halt would come too late. */
+  private void endLeasesAndSettle() {
+    super.endLeases();
+    helm.settle();
   }
 
   /** Halts it past the command that holds it up, as far as its driver can. */

@@ -77,6 +77,7 @@ final class EmergencyStop {
       synchronized (halting) {
         begun = true; // who stops it from now on wants more than this
       }
+      helm.rested(); // by what follows
       ends.rest();
     }
 

@@ -16,9 +16,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * Who commands an effector: one holder of a lease at the most.
  *
- * <p>Commands, and what happens when the commander is lost, exclude each other: once a key does not
- * count any more, nothing that came with it is still obeyed. An emergency stop is the exception: it
- * deposes the commander even while a command is under way, and rest comes when that is over.
+ * <p>Commands, and the rest that follows the loss of a commander, exclude each other. Once a key
+ * does not count any more, no command that comes with it begins, and the device comes to rest
+ * before any other command begins. Whoever gives the command up, takes it or ends it with an
+ * emergency stop does not wait for a command that is under way: the rest is owed until that is
+ * over.
  */
 public final class Helm {
 
@@ -39,6 +41,7 @@ public final class Helm {
   private final InstantSource clock;
   private final Runnable lost;
   private final Runnable heldUp;
+  private final Consumer<Runnable> halts;
   private final StopLatch stop;
   private final Consumer<UUID> revoke;
 
@@ -47,6 +50,10 @@ public final class Helm {
 
   private volatile @Nullable Commander commander; // written under this
   private @Nullable UUID lease; // guarded by this
+
+  /** A commander was lost, and the device has not come to rest since; cleared under acting. */
+  private volatile boolean isRestOwed;
+
   private volatile @Nullable CommandKey stopped; // written under this; deposed by the last stop
 
   /**
@@ -55,6 +62,7 @@ public final class Helm {
    *     throw
    * @param heldUp run before that, once, where the commander is lost and its last command does not
    *     end within a tenth of a second; must not throw
+   * @param halts runs what may have to wait for the driver, and does not wait for it for long
    * @param stop nobody commands while it is latched
    * @param revoke ends a lease that goes with no command
    */
@@ -63,18 +71,21 @@ public final class Helm {
       InstantSource clock,
       Runnable lost,
       Runnable heldUp,
+      Consumer<Runnable> halts,
       StopLatch stop,
       Consumer<UUID> revoke) {
     this.module = module;
     this.clock = clock;
     this.lost = lost;
     this.heldUp = heldUp;
+    this.halts = halts;
     this.stop = stop;
     this.revoke = revoke;
   }
 
   /**
-   * Makes someone the commander.
+   * Makes someone the commander. Never waits for the driver: where that is held up, the first
+   * command does.
    *
    * @param name who it is, for people
    * @param granting grants the lease; called only where the helm is free
@@ -82,14 +93,8 @@ public final class Helm {
    *     emergency, or no lease is granted
    */
   public CommandKey take(String name, Granting granting) throws LeaseRefusedException {
-    refuseALeaseWhileStopped(); // also while the driver is held up
     CommandKey key = new CommandKey(UUID.randomUUID());
-    acting.lock();
-    try {
-      begin(new Commander(key, name, clock.instant()));
-    } finally {
-      acting.unlock();
-    }
+    begin(new Commander(key, name, clock.instant()));
     @Nullable UUID granted = null;
     try {
       granted = granting.grant(() -> release(key));
@@ -140,10 +145,12 @@ public final class Helm {
    */
   void obey(CommandKey key, Runnable command) {
     refuseACommandWhileStopped(); // also while the driver is held up
+    refuseUnlessHeldBy(key); // likewise; and who is refused does not delay the rest that is owed
     acting.lock();
     try {
       refuseACommandWhileStopped();
       refuseUnlessHeldBy(key);
+      restIfOwed(); // of an earlier commander, whose command held the driver up
       command.run();
     } finally {
       acting.unlock();
@@ -190,6 +197,7 @@ public final class Helm {
     @Nullable Commander deposed = commander;
     if (deposed != null) {
       stopped = deposed.key();
+      isRestOwed = true;
     }
     commander = null;
     lease = null;
@@ -252,16 +260,9 @@ public final class Helm {
   }
 
   private void release(CommandKey key) {
-    if (!isHeldBy(key)) {
-      return; // and never will be again
+    if (letGo(key)) {
+      settle();
     }
-    betweenCommands(
-        () -> {
-          if (letGo(key)) {
-            lost.run();
-          }
-        },
-        heldUp);
   }
 
   private synchronized boolean letGo(CommandKey key) {
@@ -269,7 +270,30 @@ public final class Helm {
     if (isHeld) {
       commander = null;
       lease = null;
+      isRestOwed = true;
     }
     return isHeld;
+  }
+
+  /**
+   * Has the device come to rest where it owes that; waits for its driver for a moment at the most.
+   */
+  void settle() {
+    if (isRestOwed) {
+      halts.accept(() -> betweenCommands(this::restIfOwed, heldUp));
+    }
+  }
+
+  /** Between commands. */
+  private void restIfOwed() {
+    if (isRestOwed) {
+      isRestOwed = false; // a commander that is lost from now on wants more than this
+      lost.run();
+    }
+  }
+
+  /** The device has come to rest otherwise; between commands. */
+  void rested() {
+    isRestOwed = false;
   }
 }

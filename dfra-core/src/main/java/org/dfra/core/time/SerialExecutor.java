@@ -36,6 +36,9 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   private final Scheduler scheduler;
   private final ThreadFactory threads;
 
+  /** The one that runs the tasks, once it has run one. */
+  private volatile @Nullable Thread running;
+
   // guarded by this
   private final Queue<Runnable> waiting = new ArrayDeque<>(); // for a thread that can be started
   private @Nullable ThreadPoolExecutor thread;
@@ -86,13 +89,17 @@ public final class SerialExecutor implements Executor, AutoCloseable {
 
   /**
    * Has a task run, and waits for its end, but not for long: it goes on after this call where it
-   * takes longer.
+   * takes longer. A task of this thread has it run at once, and waits for its end.
    *
    * @param patience how long it may take; also how long those before it may, real time. Where the
    *     computer stalls and does not begin an idle thread, that is waited for 0.4 s longer.
    * @return whether it has ended; what it threw by then is thrown here
    */
   public boolean executeWithin(Runnable task, Duration patience) {
+    if (Thread.currentThread() == running) {
+      task.run(); // nobody else would before this returns
+      return true;
+    }
     boolean isIdle = isIdle();
     Awaited awaited = new Awaited(task);
     execute(awaited);
@@ -128,8 +135,9 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   }
 
   /** A thread that ends by a task's fault might not be replaced; so it does not end. */
-  private static Runnable kept(Runnable task) {
+  private Runnable kept(Runnable task) {
     return () -> {
+      running = Thread.currentThread();
       try {
         task.run();
       } catch (RuntimeException | Error e) {

@@ -14,6 +14,8 @@ import java.util.function.Supplier;
 import org.dfra.core.time.StallProbe;
 import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveState;
 import org.dfra.lease.Holder;
@@ -152,6 +154,46 @@ class HeldUpDriverTest {
     await("and the next velocity is watched")
         .atMost(PATIENCE)
         .until(() -> wheels.told.equals(List.of(TURNED, "halt")));
+  }
+
+  @Test
+  void whoGivesTheCommandUpDoesNotWaitForAWriteThatHangs() throws Exception {
+    CommandLease lease = wheels.command(LEASE);
+    CompletableFuture<Void> writing = holdUpAWrite(lease.key());
+    beside(lease::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(writing).isNotDone();
+    assertThat(wheels.helm().commander()).isNull();
+    await("it is halted past the write").atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    assertThat(writing).isNotDone();
+  }
+
+  @Test
+  void whoTakesTheCommandDoesNotWaitForAWriteThatHangsAndTheWheelsStandBeforeTheFirstCommand()
+      throws Exception {
+    CommandLease first = wheels.command(LEASE);
+    CompletableFuture<Void> writing = holdUpAWrite(first.key());
+    beside(first::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    CompletableFuture<CommandKey> second = new CompletableFuture<>();
+    beside(
+        () -> {
+          try {
+            second.complete(key());
+          } catch (LeaseRefusedException e) {
+            second.completeExceptionally(e);
+          }
+        });
+    CommandKey key = second.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    assertThat(writing).isNotDone();
+    CompletableFuture<Void> released = beside(() -> wheels.obey(key, new Brake(false)));
+    wheels.turnHeldUp = null;
+    release.countDown();
+    released.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    List<String> told = List.copyOf(wheels.told);
+    assertThat(told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
+    assertThat(told).endsWith("brake false");
+    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   /** A client's lease ends, and whoever is to note that does not return before the release. */

@@ -31,7 +31,14 @@ class HelmTest {
           clock,
           LoggerFactory.getLogger("dfra.atrv1.wheels"));
   private final Helm helm =
-      new Helm("atrv1/wheels", clock, () -> told.add("lost"), () -> {}, stop, revoked::add);
+      new Helm(
+          "atrv1/wheels",
+          clock,
+          () -> told.add("lost"),
+          () -> {},
+          Runnable::run,
+          stop,
+          revoked::add);
   private Runnable over = () -> {};
 
   private CommandKey take(String name) throws LeaseRefusedException {

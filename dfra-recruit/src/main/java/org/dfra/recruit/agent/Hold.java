@@ -3,16 +3,22 @@ package org.dfra.recruit.agent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.ModuleListing;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
 import org.dfra.persona.StopAttributes;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -27,6 +33,10 @@ import org.slf4j.Logger;
  * stops themselves, over the death of their processes. What is written down here are the stops that
  * a person has dealt with: by a goal that began later, or by {@link #end}. So a stop is found also
  * where it happened while the agent's process was dead.
+ *
+ * <p>A new process finds the robot's modules one after the other. As long as it has not asked all
+ * of the behaviours that the robot is known to have, nobody knows whether somebody stopped one of
+ * them: nothing moves for it until it is {@linkplain #isSettled settled}.
  *
  * <p>Thread-safe. Asking needs no network, but for {@link #ask}.
  */
@@ -43,6 +53,12 @@ final class Hold {
 
   /** In the document it stands where others have a module's path. */
   private static final String TRIP = "-";
+
+  /** Before a behaviour that the robot has, in the document. */
+  private static final String HAS = "+";
+
+  /** For how long a new process looks for the behaviours before it says that one is missing. */
+  static final Duration SETTLING = Duration.ofSeconds(10);
 
   private final ModuleContext context;
   private final Senses senses;
@@ -64,14 +80,21 @@ final class Hold {
 
   private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
 
+  /** The behaviours that the robot is known to have, by path; guarded by this. */
+  private final Set<String> behaviors = new TreeSet<>();
+
+  private boolean isSettled; // guarded by this
+  private long startNanos; // guarded by this; when this process began to look for them
+
   Hold(ModuleContext context, Senses senses, Logger log) {
     this.context = context;
     this.senses = senses;
     this.log = log;
   }
 
-  /** Knows again what an earlier process has written down. */
+  /** Knows again what an earlier process has written down; it is settled when it has asked. */
   synchronized void recall() {
+    startNanos = context.robotTime().nanos();
     try {
       String text =
           new String(context.state().read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
@@ -92,6 +115,8 @@ final class Hold {
     } else if (line[0].equals(LAST)) {
       String[] reason = line[1].split(" ", 2);
       last = new Reason(reason[0], reason[reason.length - 1]);
+    } else if (line[0].equals(HAS)) {
+      behaviors.add(line[1]);
     } else {
       ended.put(line[0], line[1]);
     }
@@ -108,6 +133,7 @@ final class Hold {
     if (reason != null) {
       text.append(LAST + " " + reason.path() + " " + reason.why().replace('\n', ' ') + "\n");
     }
+    behaviors.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
     try {
       context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
@@ -117,11 +143,12 @@ final class Hold {
   }
 
   /**
-   * Sees which effectors there are. An effector that it sees for the first time may have been
-   * stopped and released years ago: that does not count, but a stop that is not released does.
+   * Sees which behaviours and effectors there are. An effector that it sees for the first time may
+   * have been stopped and released years ago: that does not count, but a stop that is not released
+   * does.
    */
   synchronized void look() {
-    boolean isNews = false;
+    boolean isNews = behaviors.addAll(listed());
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       String known = stop.latched() ? STOPPED : text(stop.since());
@@ -156,9 +183,65 @@ final class Hold {
     return since == null ? NEVER : since.toString();
   }
 
+  private Set<String> listed() {
+    return senses.behaviors().stream()
+        .map(ModuleListing::path)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
   /** Why it is held, as a clause; nothing where it is not. */
   synchronized Optional<String> why() {
+    return stop().or(this::notSettled);
+  }
+
+  /** Which stop holds it, as a clause; nothing where none does, as far as is known. */
+  synchronized Optional<String> stop() {
     return Optional.ofNullable(unknown).or(() -> live().map(Reason::why)).or(this::notFoundAgain);
+  }
+
+  /**
+   * Whether this process has asked all the behaviours that the robot is known to have, or a person
+   * has let it go on without that.
+   */
+  synchronized boolean isSettled() {
+    return isSettled;
+  }
+
+  /** Asks the behaviours where this process has not done that yet. */
+  void settle() {
+    if (isSettled()) {
+      return;
+    }
+    try {
+      Optional<String> unused = ask();
+    } catch (RemoteException | NotReadyException e) {
+      log.debug("{}: it does not know yet whether somebody stopped it", context.path(), e);
+    }
+  }
+
+  /** Holds the lock. It looks no longer without saying so. */
+  private Optional<String> notSettled() {
+    boolean isOverdue = context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
+    if (isSettled || !isOverdue) {
+      return Optional.empty();
+    }
+    Set<String> missing = missing();
+    return Optional.of(
+        missing.isEmpty()
+            ? "one of its behaviours does not answer its agent's new process, so nobody knows"
+                + " whether somebody stopped it"
+            : "its agent's new process does not find "
+                + String.join(", ", missing)
+                + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
+                + " on by ./dfra recruit resume "
+                + context.robot());
+  }
+
+  /** Holds the lock. */
+  private Set<String> missing() {
+    Set<String> missing = new TreeSet<>(behaviors);
+    missing.removeAll(listed());
+    return missing;
   }
 
   /** Holds the lock. What held it is not found now, as at first in a new process. */
@@ -206,10 +289,36 @@ final class Hold {
    * The same, by asking each behaviour of the robot now: before anything moves for a call.
    *
    * @throws RemoteException if one does not answer, so that it is not known
+   * @throws NotReadyException if one has ended, or this is a new process that has not found all of
+   *     them yet, so that it is not known either
    */
   Optional<String> ask() throws RemoteException {
+    try {
+      Optional<String> held = askEach();
+      if (held.isPresent()) {
+        return held;
+      }
+    } catch (RemoteException | NotReadyException e) {
+      synchronized (this) {
+        Optional<String> obstacle = notSettled();
+        if (obstacle.isEmpty()) {
+          throw e;
+        }
+        return obstacle;
+      }
+    }
+    synchronized (this) {
+      return Optional.ofNullable(unknown)
+          .or(() -> byEffector().map(Reason::why))
+          .or(this::notFoundAgain);
+    }
+  }
+
+  private Optional<String> askEach() throws RemoteException {
+    Set<String> asked = new TreeSet<>();
     for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
       @Nullable Instant since = each.module().status().heldSince();
+      asked.add(each.path());
       Optional<String> held;
       synchronized (this) {
         held = byBehavior(each, since).map(Reason::why);
@@ -219,10 +328,15 @@ final class Hold {
       }
     }
     synchronized (this) {
-      return Optional.ofNullable(unknown)
-          .or(() -> byEffector().map(Reason::why))
-          .or(this::notFoundAgain);
+      isSettled |= asked.containsAll(behaviors);
+      if (!isSettled) {
+        throw new NotReadyException(
+            context.path(),
+            Readiness.INITIALIZING,
+            "it does not find " + String.join(", ", missing()) + " yet");
+      }
     }
+    return Optional.empty();
   }
 
   /** Nobody knows whether somebody stopped its trip; it is held until a person lets it go on. */
@@ -244,7 +358,10 @@ final class Hold {
 
   /** A person lets it go on. An emergency stop that is not released holds it nevertheless. */
   synchronized void end() {
+    isSettled = true;
+    behaviors.retainAll(listed());
     boolean unused = end(Instant.MAX);
+    keep();
     log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));
   }
 

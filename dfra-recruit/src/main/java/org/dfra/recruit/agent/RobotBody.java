@@ -35,6 +35,7 @@ final class RobotBody implements Body, AutoCloseable {
   private volatile boolean isAway; // to help, or on its way; written by errands only
   private volatile boolean isStarted; // its modules can be found
   private volatile boolean isEnding; // it may not be known yet how its last trip ended
+  private volatile boolean isLeftToPeople; // what it left; a person ended a hold meanwhile
   private volatile Runnable onHold = () -> {};
   private Optional<String> toldHold = Optional.empty(); // by errands only
   private final AtomicBoolean isClosed = new AtomicBoolean();
@@ -69,6 +70,7 @@ final class RobotBody implements Body, AutoCloseable {
       return;
     }
     hold.look();
+    hold.settle();
     Optional<String> why = hold.why();
     if (!why.equals(toldHold)) {
       toldHold = why;
@@ -89,8 +91,10 @@ final class RobotBody implements Body, AutoCloseable {
     return isStarted ? hold.why() : Optional.empty();
   }
 
+  /** {@inheritDoc} That moves nothing: also not a search of which it does not know enough yet. */
   @Override
   public void endHold() {
+    isLeftToPeople |= !hold.isSettled();
     hold.end();
   }
 
@@ -127,13 +131,15 @@ final class RobotBody implements Body, AutoCloseable {
   /**
    * One that knows where it is, has charge left, is not held since somebody stopped it, and is not
    * sent anywhere by others may be asked. What drives it while it helps, or for its search, is its
-   * own. As long as it is not known how its last trip ended, somebody may have stopped that.
+   * own. As long as it is not known how its last trip ended, or a new process has not asked all of
+   * its behaviours, somebody may have stopped it.
    */
   @Override
   public boolean isFree() {
     return senses.pose() != null
         && battery() > traits.reserve()
         && !isEnding
+        && hold.isSettled()
         && hold.why().isEmpty()
         && (isAway || senses.isSearching() || !senses.isDriven());
   }
@@ -204,10 +210,10 @@ final class RobotBody implements Body, AutoCloseable {
 
   /**
    * Tries again where a search does not answer, until it is called away. As long as it is not known
-   * whether somebody has stopped the trip of an earlier process, nothing goes on.
+   * whether somebody has stopped the robot, or the trip of an earlier process, nothing goes on.
    */
   private void goOn() {
-    boolean isDone = isAway || (trip.isSettled() && goOnUnlessHeld());
+    boolean isDone = isAway || (trip.isSettled() && isKnownWhetherHeld() && goOnUnlessHeld());
     if (!isDone && !isRetrying) {
       isRetrying = true;
       errands.later(
@@ -219,9 +225,16 @@ final class RobotBody implements Body, AutoCloseable {
     }
   }
 
+  /** A hold that is known is enough; that nothing holds it is known when all were asked. */
+  private boolean isKnownWhetherHeld() {
+    hold.settle();
+    return hold.isSettled() || hold.stop().isPresent();
+  }
+
   private boolean goOnUnlessHeld() {
     isEnding = false;
-    if (hold.why().isPresent()) {
+    if (hold.why().isPresent() || isLeftToPeople) {
+      isLeftToPeople = false;
       work.leaveToPeople();
     }
     return work.goOn();

@@ -115,7 +115,9 @@ final class Trip {
     try {
       String text = new String(state.read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
       if (!text.isEmpty()) {
-        inherited = Begun.of(text);
+        Begun begun = Begun.of(text);
+        inherited = begun;
+        last = begun.goal(); // nobody else began that
         isKept = true;
       }
     } catch (IOException | IllegalArgumentException | DateTimeParseException e) {
@@ -213,8 +215,23 @@ final class Trip {
       }
     } catch (RemoteException | NotReadyException e) {
       log.info("{}: it waits: {}", path, e.toString());
+      waitUntilSettled();
     }
     errands.later(LOOK_NANOS, () -> look(goal, of));
+  }
+
+  /**
+   * A leg that an earlier process began does not go on as long as nobody knows whether somebody
+   * stopped the robot meanwhile; it is begun anew then.
+   */
+  private void waitUntilSettled() {
+    if (!hold.isSettled() && travel.goal().isPresent()) {
+      log.info("{}: it stops until it has asked all behaviours of the robot", path);
+      travel.end();
+      if (!travel.isLoose()) {
+        forget(); // the next process is not to take this for a stop of somebody else
+      }
+    }
   }
 
   /**

@@ -95,7 +95,7 @@ final class BringUp {
     for (RegisteredGroup group : before) {
       leave(group);
     }
-    endForgotten();
+    new ForgottenServices(groupEnd).end(robot.name(), listener);
     List<Service> services = start();
     sayWhatWasKept(processes);
     if (!notEnded.isEmpty()) {
@@ -105,28 +105,6 @@ final class BringUp {
               .collect(Collectors.joining("; ")));
     }
     return services;
-  }
-
-  /**
-   * Ends the processes that may still have something that phoenix has forgotten, such as those that
-   * a {@code down} did not get to end. Also another robot's, where nothing else is in it: it may
-   * have been this one under another name.
-   */
-  private void endForgotten() throws ActivationException, IOException {
-    for (GroupStatus each : patience.ask(admin::groupStatus)) {
-      String name = GroupEnd.plain(each.name());
-      boolean isOwn = name.startsWith(robot.name() + ".");
-      if (each.unregistered() == 0 || !(isOwn || each.objects() == 0)) {
-        continue;
-      }
-      if (each.objects() == 0) {
-        groupEnd.end(name, END);
-      } else {
-        groupEnd.restart(name, END);
-      }
-      String group = name.substring(name.indexOf('.') + 1);
-      step(name, group, Kind.PROCESS_ENDED, Integer.toString(each.unregistered()));
-    }
   }
 
   private List<Service> start() throws ActivationException, IOException {

@@ -7,6 +7,7 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.activation.UnknownObjectException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.GroupStatus.State;
@@ -57,9 +58,12 @@ final class GroupEnd {
    * @param name {@code robot.group}
    */
   Optional<GroupStatus> status(String name) throws IOException, ActivationException {
-    return patience.ask(admin::groupStatus).stream()
-        .filter(each -> plain(each.name()).equals(name))
-        .findFirst();
+    return statuses().stream().filter(each -> plain(each.name()).equals(name)).findFirst();
+  }
+
+  /** What phoenix says of all groups. */
+  List<GroupStatus> statuses() throws IOException, ActivationException {
+    return patience.ask(admin::groupStatus);
   }
 
   /** A group's name as the bootstrap gave it, without phoenix's number. */

@@ -222,6 +222,7 @@ public final class RobotBootstrap {
                             + group
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
+    endForgotten(patience);
     LaunchedJars.keepFor(phoenix.state());
     Path folder = folder(phoenix.state(), robot.name(), module.name());
     ModuleIdentity identity = ModuleIdentity.kept(folder).orElseGet(ModuleIdentity::fresh);
@@ -242,6 +243,7 @@ public final class RobotBootstrap {
   public void start(String module) throws ActivationException, IOException {
     Patience patience = Patience.of(TIME);
     RegisteredGroup.Module known = known(loader(patience), module, "start");
+    endForgotten(patience);
     ServiceStart.of(
         new Service(robot.name() + "/" + module, known.group(), known.id()),
         known.activation().module().place(),
@@ -260,6 +262,7 @@ public final class RobotBootstrap {
     BootstrapLoader loader = loader(patience);
     RegisteredGroup.Module old = known(loader, module.name(), "replace");
     requireOwn(module);
+    endForgotten(patience);
     ModuleIdentity identity = new ModuleIdentity(old.activation().id(), old.activation().created());
     ActivationID id = loader.module(old.groupId(), old.group(), activation(module, identity));
     new ModuleEnd(phoenix.admin(), END).deactivate(old);
@@ -279,6 +282,18 @@ public final class RobotBootstrap {
     RegisteredGroup.Module old = known(loader(Patience.of(TIME)), module, "remove");
     new ModuleEnd(phoenix.admin(), END).forget(old);
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
+  }
+
+  /** Before a driver is started: one that phoenix has forgotten may have its device. */
+  private void endForgotten(Patience patience) throws ActivationException, IOException {
+    new ForgottenServices(new GroupEnd(phoenix, patience))
+        .end(
+            robot.name(),
+            step ->
+                LOG.warn(
+                    "The process of group {} was ended: it had {} that phoenix had forgotten.",
+                    step.name(),
+                    step.detail().equals("1") ? "a service" : step.detail() + " services"));
   }
 
   private void requireOwn(ModuleDescription module) {

@@ -184,6 +184,13 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     boolean unused = protocol.tell(List.of(PtuCommands.HALT));
   }
 
+  /** {@inheritDoc} Halts it on another way through the link, if the link has one. */
+  @Override
+  protected void restMeanwhile() {
+    target = null;
+    boolean unused = protocol.tellNow(List.of(PtuCommands.HALT));
+  }
+
   @Override
   public PanTiltState panTilt() {
     return latest.get();

@@ -32,7 +32,7 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
  *   +--- out of step, no reply in time, or reset
  * </pre>
  *
- * <p>Confined to the reader, but for {@link #want} and {@link #tell}.
+ * <p>Confined to the reader, but for {@link #want}, {@link #tell} and {@link #tellNow}.
  */
 final class PtuProtocol implements DeviceProtocol {
 
@@ -111,6 +111,11 @@ final class PtuProtocol implements DeviceProtocol {
   /** Tells the unit to do something now; from any thread. False when there is no link. */
   boolean tell(List<String> commands) {
     return dialogue.tell(commands);
+  }
+
+  /** The same, past a command that another thread is held up with. */
+  boolean tellNow(List<String> commands) {
+    return dialogue.tellNow(commands);
   }
 
   /** Has a question asked soon, or the unit reset; from any thread. */

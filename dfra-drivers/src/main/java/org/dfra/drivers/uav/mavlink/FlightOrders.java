@@ -27,6 +27,9 @@ final class FlightOrders {
   private @Nullable Order current; // guarded by this
   private volatile String told = "none"; // written under this
 
+  /** The order under way goes no further, whatever the answer to its last step is. */
+  private volatile boolean isCalledOff;
+
   /** An order under way; all of it is guarded by the orders. */
   private static final class Order {
     final String name;
@@ -57,6 +60,7 @@ final class FlightOrders {
    */
   synchronized boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
     forget();
+    isCalledOff = false;
     Order order = new Order(name, steps, protocol);
     current = order;
     told = name + " awaits its answer";
@@ -69,6 +73,11 @@ final class FlightOrders {
       current.protocol.callOff(current.exchange);
     }
     current = null;
+  }
+
+  /** The order that is just being written gets no further step; without waiting for that write. */
+  void callOffMeanwhile() {
+    isCalledOff = true;
   }
 
   private boolean send(Order order) {
@@ -84,8 +93,8 @@ final class FlightOrders {
   private void answered(Order order, CommandResult result) {
     MavlinkCommand step;
     synchronized (this) {
-      if (current != order) {
-        return; // another has taken its place meanwhile
+      if (current != order || isCalledOff) {
+        return; // another has taken its place meanwhile, or is about to
       }
       step = order.step();
       if (result.isAccepted() && order.at + 1 < order.steps.size()) {

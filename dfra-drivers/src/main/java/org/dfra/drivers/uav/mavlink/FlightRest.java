@@ -33,7 +33,9 @@ import org.jspecify.annotations.Nullable;
  *   <li>a vehicle that was not commanded is left alone: it may be a pilot's
  * </ul>
  *
- * <p>Safe for use by several threads: commands and the coming to rest exclude each other.
+ * <p>Safe for use by several threads: commands and the coming to rest exclude each other. Past a
+ * command that is held up in the link, {@link #beginMeanwhile} sends the rest without awaiting an
+ * answer; {@link #begin} follows when the command is over.
  */
 final class FlightRest {
 
@@ -44,10 +46,13 @@ final class FlightRest {
   private final FlightOrders orders;
   private final Ticker ticker;
 
-  private @Nullable FlightCommand wanted; // guarded by this; the last command, unless refused
-  private boolean commanded; // guarded by this
-  private boolean owed; // guarded by this
-  private long triedNanos; // guarded by this
+  // written under this
+  private volatile @Nullable FlightCommand wanted; // the last command, unless refused
+  private volatile boolean commanded;
+
+  // guarded by this
+  private boolean owed;
+  private long triedNanos;
 
   FlightRest(FlightPicture picture, FlightOrders orders, Ticker ticker) {
     this.picture = picture;
@@ -74,6 +79,33 @@ final class FlightRest {
       owed = true;
       attempt(connection);
     }
+  }
+
+  /** Sends the same, without the locks that a command holds which is held up in the link. */
+  void beginMeanwhile(@Nullable MavlinkConnection connection) {
+    @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
+    if (!commanded || connection == null || vehicle == null || !picture.isWhole()) {
+      return;
+    }
+    if (picture.phase() == Phase.ON_GROUND) {
+      sendNow(new Disarm(), vehicle, connection);
+    } else if (!isEndingByItself(vehicle)) {
+      sendNow(new Hold(), vehicle, connection);
+    }
+  }
+
+  private void sendNow(FlightCommand step, Vehicle vehicle, MavlinkConnection connection) {
+    orders.callOffMeanwhile(); // the answer to this is not to be taken for one to that
+    FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
+  }
+
+  /** It lands, or flies home to land there. */
+  private boolean isEndingByItself(Vehicle vehicle) {
+    @Nullable FlightCommand last = wanted;
+    return last instanceof Land
+        || last instanceof ReturnHome
+        || picture.isIn(FlightMode.LAND, vehicle)
+        || picture.isIn(FlightMode.RETURN, vehicle);
   }
 
   /** Tries again what was not accepted; called again and again. */
@@ -109,10 +141,7 @@ final class FlightRest {
         return;
       }
       step = new Disarm();
-    } else if (wanted instanceof Land
-        || wanted instanceof ReturnHome
-        || picture.isIn(FlightMode.LAND, vehicle)
-        || picture.isIn(FlightMode.RETURN, vehicle)) {
+    } else if (isEndingByItself(vehicle)) {
       owed = false;
       return;
     }

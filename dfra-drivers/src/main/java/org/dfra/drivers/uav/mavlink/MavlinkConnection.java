@@ -139,6 +139,11 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
             result -> {});
   }
 
+  /** Sends a command once, past whatever is under way, and awaits no answer; from any thread. */
+  void sendNow(MavlinkCommand command) {
+    send(command, 0);
+  }
+
   private void send(MavlinkCommand command, int times) {
     @Nullable Vehicle to = vehicle;
     if (to != null) {

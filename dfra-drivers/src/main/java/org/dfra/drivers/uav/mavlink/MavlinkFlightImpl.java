@@ -164,6 +164,12 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     rest.begin(port.joined());
   }
 
+  /** {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link FlightRest}. */
+  @Override
+  protected void restMeanwhile() {
+    rest.beginMeanwhile(port.joined());
+  }
+
   /** An order has ended; on the reader thread. */
   private void ended(String order, MavlinkCommand step, CommandResult result) {
     log.info("{}: {}: {} {}", path(), order, step.name(), result);

@@ -14,6 +14,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
@@ -282,6 +284,34 @@ class PtuImplTest {
       say("*\r\n*\r\n! Maximum allowable Pan position is 3090\r\n*\r\n");
       await().until(() -> parameter(unit, "refusals").equals("1"));
     }
+  }
+
+  @Test
+  void haltsPastAWriteThatHangsAndOnceMoreAfterIt() throws Exception {
+    beReady();
+    CommandLease lease = unit.command(Duration.ofSeconds(10));
+    CountDownLatch release = new CountDownLatch(1);
+    link.holdUpAWrite(release);
+    CompletableFuture<Void> writing =
+        CompletableFuture.runAsync(
+            () -> unit.obey(lease.key(), new Point(0.1, 0, 1)), run -> new Thread(run).start());
+    try {
+      await().until(() -> written().stream().anyMatch(each -> each.startsWith("PS")));
+      assertThat(unit.emergencyStop("ops").latched()).isTrue();
+      await().until(() -> written().contains("H "));
+      assertThat(writing).isNotDone();
+      settle(); // the reader does not wait for the write either
+    } finally {
+      release.countDown();
+    }
+    writing.get(60, TimeUnit.SECONDS);
+    await().until(() -> written().stream().filter("H "::equals).count() == 2);
+  }
+
+  private List<String> written() {
+    return link.written().stream()
+        .map(each -> new String(each, StandardCharsets.US_ASCII))
+        .toList();
   }
 
   @Test

@@ -7,18 +7,24 @@ import static org.dfra.drivers.fixture.Modules.awaitReadiness;
 import static org.dfra.drivers.fixture.Modules.parameter;
 import static org.dfra.drivers.fixture.Modules.texts;
 
+import io.dronefleet.mavlink.common.MavCmd;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.GoTo;
 import org.dfra.flow.effector.FlightState;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.flow.sensor.GpsFix;
@@ -75,6 +81,41 @@ class MavlinkModulesTest {
       assertThat(state.speed()).isEqualTo(5.0); // 3 m/s north, 4 m/s west
       assertThat(state.climb()).isEqualTo(0.5);
     }
+  }
+
+  @Test
+  void holdsItsPlacePastACommandThatHangsInTheLink() throws Exception {
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      CountDownLatch release = new CountDownLatch(1);
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      try {
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
+        assertThat(flight.emergencyStop("ops").latched()).isTrue();
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
+        assertThat(writing).isNotDone();
+      } finally {
+        release.countDown();
+      }
+      writing.get(60, TimeUnit.SECONDS);
+    }
+  }
+
+  /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
+  private static boolean isSent(ScriptedLink link, MavCmd command) {
+    int number = MavlinkEncoder.number(command);
+    return link.written().stream()
+        .filter(each -> each.length > 40 && (each[7] == 76 || each[7] == 75))
+        .anyMatch(each -> ((each[38] & 0xFF) | (each[39] & 0xFF) << 8) == number);
   }
 
   @Test

@@ -1,0 +1,161 @@
+package org.dfra.recruit.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.HomeGoal;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.recruit.agent.BodyModules.Homing;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** A new process of an agent moves nothing before it has asked all that may have been stopped. */
+class RestartedAgentTest extends BodyFixture {
+
+  private final List<RobotBody> dead = new ArrayList<>();
+
+  @AfterEach
+  void endTheDead() {
+    dead.forEach(RobotBody::close);
+  }
+
+  /** The agent's process is killed, and another finds all modules of the robot but that. */
+  private void restartWithout(ModuleImpl hidden) {
+    dead.add(body); // what drives the robot does not end with it
+    modules.hide(hidden);
+    body = body();
+  }
+
+  private boolean isFree() {
+    position.see(0, 0);
+    modules.step(0.1);
+    return body.isFree();
+  }
+
+  @Test
+  void aLegStopsUntilItIsKnownWhetherSomebodyPausedTheSearchMeanwhile() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(search);
+    search.pause();
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(0.6);
+    assertThat(driver.status().phase()).as("the leg").isEqualTo(Phase.CANCELLED);
+    assertThat(told).as("it waits").isEmpty();
+    modules.show(search);
+    modules.step(1);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+    assertThat(told).hasSize(1);
+  }
+
+  @Test
+  void aLegGoesOnWithinASecondWhereNobodyStoppedAnything() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(search);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(0.6);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+    modules.show(search);
+    modules.step(1);
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    assertThat(told).isEmpty();
+  }
+
+  @Test
+  void noLegBeginsBeforeItIsKnownWhetherSomebodyStoppedTheRobot() throws RemoteException {
+    Homing homing = modules.add(new Homing(modules.context("return_home")));
+    modules.step(1);
+    body.close();
+    restartWithout(homing);
+    UUID unused = homing.pursue(new HomeGoal(1));
+    homing.pause();
+    assertThat(isFree()).as("it answers no call").isFalse();
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(3);
+    assertThat(driver.goal).isNull();
+    modules.show(homing);
+    modules.step(1);
+    assertThat(driver.goal).isNull();
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0)).contains("ugv1/return_home");
+  }
+
+  @Test
+  void itStaysAndSaysSoWhereABehaviourOfItIsNotFoundInTime() throws RemoteException {
+    body.close();
+    restartWithout(search);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(9);
+    assertThat(told).isEmpty();
+    modules.step(2);
+    assertThat(driver.goal).isNull();
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0)).contains("ugv1/raster_search", "./dfra recruit resume ugv1");
+    body.resume();
+    modules.step(0.1);
+    assertThat(body.hold()).isPresent();
+    assertThat(isFree()).isFalse();
+    body.endHold();
+    modules.step(1);
+    assertThat(isFree()).as("a person says that it may move").isTrue();
+    body.close();
+    body = body();
+    assertThat(isFree()).as("what was removed is not missed again").isTrue();
+    modules.show(search);
+  }
+
+  @Test
+  void aSearchThatItLeftDoesNotGoOnBeforeThat() throws RemoteException {
+    Homing homing = modules.add(new Homing(modules.context("return_home")));
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    body.close();
+    restartWithout(homing);
+    body.resume(); // it helps nobody any more
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    modules.show(homing);
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  /** Nor where a person says that it may help again: that moves nothing. */
+  @Test
+  void aSearchThatItLeftIsLeftToPeopleWhereOneEndsTheHold() throws RemoteException {
+    Homing homing = modules.add(new Homing(modules.context("return_home")));
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    body.close();
+    restartWithout(homing);
+    body.resume();
+    modules.step(11);
+    assertThat(body.hold()).isPresent();
+    body.endHold();
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(body.hold()).isEmpty();
+    modules.show(homing);
+  }
+
+  /** What a dead process would have been told. */
+  private static final class NoJourney implements Body.Journey {
+    @Override
+    public void arrived() {}
+
+    @Override
+    public void failed(String why) {}
+  }
+}
