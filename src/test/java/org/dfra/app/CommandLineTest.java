@@ -59,6 +59,12 @@ class CommandLineTest {
         "fuzzy sho | there is no verb \"fuzzy sho\"; did you mean \"show\"?",
         "fuzzy show | missing required parameter: 'FILE.FIS'; see: ./dfra fuzzy show --help",
         "recruit | recruit needs a verb; there is experiment, resume, status",
+        "recruit resume | missing required parameter: 'ROBOT'; see: ./dfra recruit resume --help",
+        "recruit resume r --wait=-1"
+            + " | --wait=-1.0 is not a number of seconds from 0 to 3600; see: ./dfra recruit resume"
+            + " --help",
+        "recruit status --frobnicate"
+            + " | unknown option: '--frobnicate'; see: ./dfra recruit status --help",
         "recruit experiment --seeds=0"
             + " | --seeds=0 is not a number from 2 to 10000; see: ./dfra recruit experiment --help",
         "recruit experiment --jobs=none"
@@ -84,6 +90,19 @@ class CommandLineTest {
   void whatIsAskedWronglyIsToldInOneSentence(String asked, String sentence) {
     assertThat(run(asked.split(" "))).isEqualTo(2);
     assertThat(err.toString()).isEqualTo("dfra: " + sentence + System.lineSeparator());
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"recruit status", "recruit status ugv1", "recruit resume ugv1"})
+  void aTeamThatIsNotThereIsToldInOneSentence(String asked) {
+    String where = " --team= --locator=127.0.0.1:1 --host=127.0.0.1 --wait=0 --state=" + folder;
+    assertThat(run((asked + where).split(" "))).isEqualTo(3);
+    assertThat(err.toString())
+        .isEqualTo(
+            "dfra: no lookup service answers (asked: jini://127.0.0.1:1); bring a robot up, name"
+                + " one with --locator, or ask ./dfra doctor"
+                + System.lineSeparator());
     assertThat(out.toString()).isEmpty();
   }
 

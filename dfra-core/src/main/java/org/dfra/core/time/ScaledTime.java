@@ -1,11 +1,14 @@
 package org.dfra.core.time;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.time.DateTimeException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.time.Scheduler;
@@ -67,19 +70,21 @@ public final class ScaledTime implements InstantSource, Scheduler {
    * Reads what {@link #toString} wrote.
    *
    * @throws IllegalArgumentException if it is none; the message says what one looks like
+   * @throws UncheckedIOException if it names a boot, and it cannot be read now whether that is this
+   *     one
    */
   public static ScaledTime parse(String text) {
-    return parse(text, BootClock.system(), InstantSource.system(), Scheduler.system());
+    return parse(text, BootId.system(), InstantSource.system(), Scheduler.system());
   }
 
   /** For tests: by another real time. */
-  static ScaledTime parse(String text, BootClock boot, InstantSource clock, Scheduler real) {
+  static ScaledTime parse(String text, BootId boot, InstantSource clock, Scheduler real) {
     Matcher parts = TEXT.matcher(text.strip());
     if (parts.matches()) {
       try {
         double speed = Double.parseDouble(parts.group(1));
         Instant since = Instant.parse(parts.group(2));
-        return parts.group(3) != null && parts.group(3).equals(boot.id())
+        return parts.group(3) != null && id(boot).equals(Optional.of(parts.group(3)))
             ? new ScaledTime(
                 speed, since, real, new BigDecimal(parts.group(4)).movePointRight(9).longValue())
             : new ScaledTime(speed, since, clock, real);
@@ -136,21 +141,34 @@ public final class ScaledTime implements InstantSource, Scheduler {
    * As it writes itself for other virtual machines of this computer, so that they agree with this
    * one even where somebody sets the computer's clock before they are started. Other computers read
    * it too, and go by their clocks.
+   *
+   * @throws UncheckedIOException if the boot cannot be read now
    */
   public String onThisComputer() {
-    return onThisComputer(BootClock.system());
+    return onThisComputer(BootId.system());
   }
 
   /** For tests: on another computer. */
-  String onThisComputer(BootClock boot) {
-    return boot.id() == null
-        ? toString()
-        : this
-            + " (boot "
-            + boot.id()
-            + ", "
-            + BigDecimal.valueOf(beginNanos, 9).toPlainString()
-            + " s)";
+  String onThisComputer(BootId boot) {
+    return id(boot)
+        .map(id -> this + " (boot " + id + ", " + seconds(beginNanos) + " s)")
+        .orElseGet(this::toString);
+  }
+
+  private static String seconds(long nanos) {
+    return BigDecimal.valueOf(nanos, 9).toPlainString();
+  }
+
+  private static Optional<String> id(BootId boot) {
+    try {
+      return boot.read();
+    } catch (IOException e) {
+      throw new UncheckedIOException(
+          "which boot of this computer it is cannot be read ("
+              + e.getMessage()
+              + "); where too many files are open, close some or raise the limit (ulimit -n)",
+          e);
+    }
   }
 
   @Override

@@ -11,7 +11,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
@@ -32,7 +32,9 @@ class LostCommanderStressTest {
   private static final int THREADS = 3;
 
   private final ScriptedWheels wheels = new ScriptedWheels(Scheduler.system(), Map.of());
-  private final AtomicInteger refused = new AtomicInteger();
+
+  /** How many commands of each thread were refused. */
+  private final AtomicIntegerArray refused = new AtomicIntegerArray(THREADS);
 
   /** Whose commands the threads give now: a number that is their speed, too. */
   private record Command(CommandKey key, double speed) {}
@@ -49,7 +51,7 @@ class LostCommanderStressTest {
     try {
       List<Future<?>> commanding =
           java.util.stream.IntStream.range(0, THREADS)
-              .<Future<?>>mapToObj(i -> threads.submit(this::commandOn))
+              .<Future<?>>mapToObj(i -> threads.submit(() -> commandOn(i)))
               .toList();
       for (int i = 1; i <= COMMANDERS; i++) {
         command(i * 1e-4, random, "-Ddfra.seed=" + seed + ", commander " + i);
@@ -58,7 +60,9 @@ class LostCommanderStressTest {
       for (Future<?> each : commanding) {
         each.get(60, TimeUnit.SECONDS);
       }
-      assertThat(refused.get()).as("-Ddfra.seed=%d: some came too late", seed).isPositive();
+      for (int i = 0; i < THREADS; i++) {
+        assertThat(refused.get(i)).as("-Ddfra.seed=%d: some came too late", seed).isPositive();
+      }
     } finally {
       over = true;
       threads.shutdownNow();
@@ -66,13 +70,13 @@ class LostCommanderStressTest {
     }
   }
 
-  private void commandOn() {
+  private void commandOn(int thread) {
     while (!over) {
       Command now = current;
       try {
         wheels.obey(now.key(), new Velocity(now.speed(), 0));
       } catch (CommandRefusedException e) {
-        refused.incrementAndGet();
+        refused.incrementAndGet(thread);
       }
     }
   }
@@ -88,7 +92,9 @@ class LostCommanderStressTest {
       Thread.onSpinWait();
     }
     end(lease, random);
-    awaitRest(which); // who gives the command up does not wait for a computer that stalls
+    // Who gives the command up does not wait for long for a command that has begun.
+    awaitARefusalOfEach(which);
+    awaitRest(which);
     int size = wheels.told.size(); // whatever comes now would be obeyed after the end
     assertThat(wheels.told.get(size - 1)).as(which).isEqualTo("halt");
     assertThat(wheels.drive().velocity()).as(which).isEqualTo(Velocity.ZERO);
@@ -96,6 +102,18 @@ class LostCommanderStressTest {
       Thread.onSpinWait();
     }
     assertThat(wheels.told).as(which).hasSize(size);
+  }
+
+  /** From then on no command that began with the old key is under way. */
+  private void awaitARefusalOfEach(String which) {
+    long begun = System.nanoTime();
+    for (int i = 0; i < THREADS; i++) {
+      int before = refused.get(i);
+      while (refused.get(i) == before) {
+        assertThat(System.nanoTime() - begun).as(which).isLessThan(TimeUnit.SECONDS.toNanos(20));
+        Thread.onSpinWait();
+      }
+    }
   }
 
   private void awaitRest(String which) {

@@ -3,11 +3,16 @@ package org.dfra.core.time;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -33,6 +38,12 @@ class ScaledTimeTest {
   }
 
   private final HandTime real = new HandTime();
+
+  @TempDir Path folder;
+
+  private BootId boot(String id) throws IOException {
+    return new BootId(Files.writeString(folder.resolve(id), id + "\n"));
+  }
 
   @Test
   void runsAtItsSpeedFromTheInstantOnWhenItWasReal() {
@@ -72,8 +83,8 @@ class ScaledTimeTest {
   }
 
   @Test
-  void agreesWithAnotherVirtualMachineThatWasStartedAfterTheClockWasSet() {
-    BootClock boot = new BootClock("1b9d6bcd");
+  void agreesWithAnotherVirtualMachineThatWasStartedAfterTheClockWasSet() throws Exception {
+    BootId boot = boot("1b9d6bcd");
     ScaledTime early = new ScaledTime(4, BEGIN, () -> BEGIN.plusSeconds(10), real);
     real.nanos += 2_000_000_000;
     Instant setBack = BEGIN.minusSeconds(100);
@@ -84,17 +95,36 @@ class ScaledTimeTest {
   }
 
   @Test
-  void goesByTheClockOnAnotherComputerAndAfterAnotherBoot() {
+  void goesByTheClockOnAnotherComputerAndAfterAnotherBoot() throws Exception {
     ScaledTime here = new ScaledTime(4, BEGIN, () -> BEGIN, real);
-    String text = here.onThisComputer(new BootClock("1b9d6bcd"));
+    String text = here.onThisComputer(boot("1b9d6bcd"));
     assertThat(text).isEqualTo("4x since 2026-11-21T16:00:00Z (boot 1b9d6bcd, 0.000007000 s)");
     real.nanos += 500_000_000_000L;
-    for (String other : new String[] {"77aa", null}) {
-      ScaledTime there =
-          ScaledTime.parse(text, new BootClock(other), () -> BEGIN.plusSeconds(3), real);
+    BootId unnamed = new BootId(folder.resolve("nowhere"));
+    for (BootId other : List.of(boot("77aa"), unnamed)) {
+      ScaledTime there = ScaledTime.parse(text, other, () -> BEGIN.plusSeconds(3), real);
       assertThat(there.instant()).isEqualTo(BEGIN.plusSeconds(12));
     }
-    assertThat(here.onThisComputer(new BootClock(null))).isEqualTo(here.toString());
+    assertThat(here.onThisComputer(unnamed)).isEqualTo(here.toString());
+  }
+
+  /** As in a shortage of file descriptors. Its wall clock may be an hour off by now. */
+  @Test
+  void doesNotGoByTheClockWhileItCannotReadWhichBootItIs() throws Exception {
+    ScaledTime here = new ScaledTime(4, BEGIN, () -> BEGIN, real);
+    String text = here.onThisComputer(boot("1b9d6bcd"));
+    Path unreadable = Files.createDirectory(folder.resolve("boot_id"));
+    BootId unknown = new BootId(unreadable);
+    assertThatThrownBy(() -> ScaledTime.parse(text, unknown, () -> BEGIN, real))
+        .isInstanceOf(UncheckedIOException.class)
+        .hasMessageContaining("which boot of this computer it is cannot be read")
+        .hasMessageContaining("ulimit -n");
+    assertThatThrownBy(() -> here.onThisComputer(unknown)).isInstanceOf(UncheckedIOException.class);
+    Files.delete(unreadable);
+    Files.writeString(unreadable, "1b9d6bcd\n");
+    assertThat(here.onThisComputer(unknown)).isEqualTo(text);
+    assertThat(ScaledTime.parse(text, unknown, () -> BEGIN.minusSeconds(3600), real).instant())
+        .isEqualTo(here.instant());
   }
 
   @Test

@@ -7,8 +7,14 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
+import java.io.Serializable;
+import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Optional;
+import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootId;
+import org.dfra.core.time.ScaledTime;
 
 /**
  * Keeps what of an agent outlives its process.
@@ -19,6 +25,12 @@ import org.dfra.core.state.StateStore;
  * long as a write takes, milliseconds; a state changes some ten times for a call. Written outside
  * of the turn, the letters of several turns would have to wait for their writes in order, and what
  * waits would be lost where the module ends. {@link Recruiter#status} does not wait.
+ *
+ * <p>The times of a snapshot go by the agent's {@link #clock}, which nobody sets. With it are kept
+ * the boot ID and the time since boot, so the clock goes on in the next process from where it was,
+ * whatever the computer's clock says by then. What was kept in another boot, or by another
+ * simulated time, is recalled {@linkplain AgentSnapshot#afterAnotherBoot without its spans}. So it
+ * is where the operating system names no boots.
  */
 final class AgentMemory {
 
@@ -30,10 +42,47 @@ final class AgentMemory {
           "org.dfra.agent.*;org.dfra.geometry.*;org.dfra.recruit.**;java.lang.*;java.time.*;"
               + "java.util.*;maxdepth=20;maxarray=100000;!*");
 
-  private final StateStore state;
+  /**
+   * As it is written down.
+   *
+   * @param origin names the boot and the time that both others go by; empty where nobody knows
+   * @param sinceBoot nanoseconds of the robot's time
+   * @param time by the agent's clock, then
+   */
+  private record Kept(String origin, long sinceBoot, Instant time, AgentSnapshot snapshot)
+      implements Serializable {}
 
-  AgentMemory(StateStore state) {
-    this.state = state;
+  private final ModuleContext context;
+  private final StateStore state;
+  private final BootId boot;
+  private SteadyClock clock; // another one only by recall, before anybody else goes by it
+
+  AgentMemory(ModuleContext context, BootId boot) {
+    this.context = context;
+    this.state = context.state();
+    this.boot = boot;
+    this.clock = new SteadyClock(context.clock().instant(), context.robotTime());
+  }
+
+  /** What every span of the agent goes by: after {@link #recall}, as its last process had it. */
+  InstantSource clock() {
+    return clock;
+  }
+
+  /** Which time it is that {@link #sinceBoot} counts; empty where nobody can tell it again. */
+  private String origin() throws IOException {
+    String scaled = context.clock() instanceof ScaledTime time ? ", " + time : "";
+    return boot.read().map(id -> id + scaled).orElse("");
+  }
+
+  /**
+   * The robot's time in nanoseconds, from an origin that is the same in each process of this boot.
+   * A scaled time's own origin is not, where the computer's clock was set between two of them.
+   */
+  private long sinceBoot() {
+    return context.clock() instanceof ScaledTime time
+        ? (long) (context.scheduler().nanos() * time.speed())
+        : context.robotTime().nanos();
   }
 
   /**
@@ -42,13 +91,13 @@ final class AgentMemory {
   void keep(AgentSnapshot snapshot) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-      out.writeObject(snapshot);
+      out.writeObject(new Kept(origin(), sinceBoot(), clock.instant(), snapshot));
     }
     state.write(DOCUMENT, bytes.toByteArray());
   }
 
   /**
-   * What was kept.
+   * What was kept. The agent's clock goes on from there.
    *
    * @throws IOException if it cannot be read, or is something else
    */
@@ -59,12 +108,28 @@ final class AgentMemory {
     }
     try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(kept.get()))) {
       in.setObjectInputFilter(SNAPSHOTS);
-      if (in.readObject() instanceof AgentSnapshot snapshot) {
-        return Optional.of(snapshot);
+      Object found = in.readObject();
+      if (found instanceof Kept last) {
+        return Optional.of(goOn(last));
+      }
+      if (found instanceof AgentSnapshot snapshot) { // of an earlier version, by the wall clock
+        return Optional.of(snapshot.afterAnotherBoot());
       }
       throw new InvalidObjectException("what was kept of the agent is something else");
     } catch (ClassNotFoundException | RuntimeException e) {
       throw new IOException("what was kept of the agent cannot be read: " + e, e);
     }
+  }
+
+  private AgentSnapshot goOn(Kept last) throws IOException {
+    long passed = sinceBoot() - last.sinceBoot();
+    boolean isSameTime = !last.origin().isEmpty() && last.origin().equals(origin()) && passed >= 0;
+    Instant wall = context.clock().instant();
+    Instant now =
+        isSameTime
+            ? last.time().plusNanos(passed)
+            : wall.isAfter(last.time()) ? wall : last.time(); // letters' numbers go by it, and grow
+    clock = new SteadyClock(now, context.robotTime());
+    return isSameTime ? last.snapshot() : last.snapshot().afterAnotherBoot();
   }
 }

@@ -32,7 +32,7 @@ final class Alarm {
             ? null
             : ports
                 .scheduler()
-                .after(Duration.between(ports.clock().instant(), then).toNanos(), wake);
+                .after(Duration.between(ports.steady().instant(), then).toNanos(), wake);
   }
 
   /** It has woken; it may have been early by the clock, and is then set to the same time again. */

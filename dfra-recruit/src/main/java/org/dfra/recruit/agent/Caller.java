@@ -94,7 +94,7 @@ final class Caller {
   /** Goes on with what it was at when its process died. */
   void start() {
     if (state.phase() == RequesterPhase.DONE || state.phase() == RequesterPhase.ON_SITE) {
-      lease = new ArrivalLease(state.until(), ports.clock(), giveBack);
+      lease = new ArrivalLease(state.until(), ports.steady(), giveBack);
     }
   }
 
@@ -154,7 +154,7 @@ final class Caller {
   }
 
   private Instant now() {
-    return ports.clock().instant();
+    return ports.steady().instant();
   }
 
   private void take(Step<RequesterState, RequesterAction> step) {
@@ -173,7 +173,7 @@ final class Caller {
     } else if (action instanceof RequesterAction.ToTeam team) {
       mail.toTeam(team.percept(), team.message());
     } else if (action instanceof RequesterAction.Hold hold) {
-      lease = new ArrivalLease(now().plus(hold.stay()), ports.clock(), giveBack);
+      lease = new ArrivalLease(now().plus(hold.stay()), ports.steady(), giveBack);
     } else if (action instanceof RequesterAction.Replace replace) {
       endLease();
       lost = replace.robot() + " " + replace.why();

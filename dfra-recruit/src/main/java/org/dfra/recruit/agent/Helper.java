@@ -155,7 +155,7 @@ final class Helper implements Judge {
   }
 
   private Instant now() {
-    return ports.clock().instant();
+    return ports.steady().instant();
   }
 
   private void take(Step<ResponderState, ResponderAction> step) {

@@ -339,6 +339,11 @@ final class Hold {
     return Optional.empty();
   }
 
+  /** The last stop of an effector that a person has dealt with, or it first saw; null for none. */
+  synchronized @Nullable String lastStop(String path) {
+    return ended.get(path);
+  }
+
   /** Nobody knows whether somebody stopped its trip; it is held until a person lets it go on. */
   synchronized void unknown(String why) {
     unknown = why;

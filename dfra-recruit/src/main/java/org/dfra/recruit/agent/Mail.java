@@ -18,7 +18,7 @@ final class Mail {
     this.mode = mode;
     this.ports = ports;
     this.listener = listener;
-    this.letters = ports.clock().millis(); // more than it sent in earlier lives: one a millisecond
+    this.letters = ports.steady().millis(); // more than it sent in earlier lives: one a millisecond
   }
 
   void toOne(String to, RecruitmentMessage message) {

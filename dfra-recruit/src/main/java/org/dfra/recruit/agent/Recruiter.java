@@ -73,7 +73,7 @@ public final class Recruiter implements AutoCloseable {
             kept.map(AgentSnapshot::requester)
                 .orElseGet(
                     () -> // greater than any number of an earlier life that nobody remembers
-                    RequesterState.idle(new Conversation(robot, ports.clock().millis()))),
+                    RequesterState.idle(new Conversation(robot, ports.steady().millis()))),
             ports,
             listener,
             mail,
@@ -189,7 +189,7 @@ public final class Recruiter implements AutoCloseable {
   }
 
   private void happen(Runnable event) {
-    Instant notBefore = ports.clock().instant().plus(RECOVERY);
+    Instant notBefore = ports.steady().instant().plus(RECOVERY);
     try {
       event.run();
       notBefore = Instant.MIN;

@@ -11,8 +11,21 @@ import org.dfra.time.Scheduler;
  * @param transport the other agents
  * @param body its robot
  * @param leases the module's own, in which requesters hold the lease on it while it helps them
- * @param clock what time it is, by the robot's time
+ * @param clock what time it is, by the robot's time, for people: somebody may set it
+ * @param steady what every span goes by: nobody sets it, and it goes on over the agent's deaths
  * @param scheduler wakes it, by the robot's time
  */
 public record RecruiterPorts(
-    Transport transport, Body body, LeaseBook leases, InstantSource clock, Scheduler scheduler) {}
+    Transport transport,
+    Body body,
+    LeaseBook leases,
+    InstantSource clock,
+    InstantSource steady,
+    Scheduler scheduler) {
+
+  /** By a clock that nobody sets, as a simulation's. */
+  public RecruiterPorts(
+      Transport transport, Body body, LeaseBook leases, InstantSource clock, Scheduler scheduler) {
+    this(transport, body, leases, clock, clock, scheduler);
+  }
+}

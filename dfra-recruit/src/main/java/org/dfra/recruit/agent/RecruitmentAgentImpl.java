@@ -15,6 +15,7 @@ import org.dfra.agent.ResponderPhase;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.time.BootId;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
@@ -117,7 +118,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     this.mode = messages.equals("unicast") ? MessageMode.UNICAST : MessageMode.BROADCAST;
     this.body = new RobotBody(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
-    this.memory = new AgentMemory(context.state());
+    this.memory = new AgentMemory(context, BootId.system());
     this.agreement = new TeamAgreement(context, said(null), log);
     declared()
         .show(
@@ -154,11 +155,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
             strategy,
             mode,
             new RecruiterPorts(
-                transport,
-                body,
-                leases(),
-                new SteadyClock(clock(), context.robotTime()),
-                context.robotTime()),
+                transport, body, leases(), clock(), memory.clock(), context.robotTime()),
             new Teller(),
             kept);
     recruiter = made;

@@ -74,11 +74,19 @@ final class Senses implements AutoCloseable {
     }
   }
 
+  /**
+   * What came last of its kind. How old it is goes by when it came: who measured it did so by a
+   * clock that somebody may have set since.
+   *
+   * @param nanos when it came, by the robot's monotonic time
+   */
+  private record Received<R>(R reading, long nanos) {}
+
   private final ModuleContext context;
   private final ChainInputs inputs;
   private final Map<UUID, Told> told = new ConcurrentHashMap<>(); // by module
-  private volatile @Nullable PoseEstimate pose;
-  private volatile @Nullable BatteryState charge;
+  private volatile @Nullable Received<PoseEstimate> pose;
+  private volatile @Nullable Received<BatteryState> charge;
 
   private final GoalListener listener;
 
@@ -97,13 +105,13 @@ final class Senses implements AutoCloseable {
         false,
         "",
         PoseEstimate.class,
-        (source, sequence, estimate) -> pose = estimate);
+        (source, sequence, estimate) -> pose = received(estimate));
     inputs.declare(
         ModuleQuery.of(BatterySensor.class).robot(robot),
         false,
         "",
         BatteryState.class,
-        (source, sequence, state) -> charge = state);
+        (source, sequence, state) -> charge = received(state));
     watch(RasterSearch.class);
     DRIVING.forEach(this::watch);
   }
@@ -133,17 +141,21 @@ final class Senses implements AutoCloseable {
     inputs.close();
   }
 
+  private <R> Received<R> received(R reading) {
+    return new Received<>(reading, context.robotTime().nanos());
+  }
+
   /** Where it is; null where that is older than {@code FRESH}, or it never knew. */
   @Nullable PoseEstimate pose() {
-    PoseEstimate last = pose;
-    return last != null && isFresh(last.measured(), FRESH) ? last : null;
+    @Nullable Received<PoseEstimate> last = pose;
+    return last != null && isFresh(last, FRESH) ? last.reading() : null;
   }
 
   /** Charge left, 0 to 1; 1 where it does not know. */
   double battery() {
-    BatteryState last = charge;
-    Double remaining =
-        last == null || !isFresh(last.measured(), BATTERY_FRESH) ? null : last.remaining();
+    @Nullable Received<BatteryState> last = charge;
+    @Nullable Double remaining =
+        last == null || !isFresh(last, BATTERY_FRESH) ? null : last.reading().remaining();
     return remaining == null ? 1 : remaining;
   }
 
@@ -206,7 +218,7 @@ final class Senses implements AutoCloseable {
         .orElse(Phase.IDLE);
   }
 
-  private boolean isFresh(Instant measured, Duration limit) {
-    return Duration.between(measured, context.clock().instant()).compareTo(limit) <= 0;
+  private boolean isFresh(Received<?> last, Duration limit) {
+    return context.robotTime().nanos() - last.nanos() <= limit.toNanos();
   }
 }

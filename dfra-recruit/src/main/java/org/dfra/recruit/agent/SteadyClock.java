@@ -5,8 +5,9 @@ import java.time.InstantSource;
 import org.dfra.time.Scheduler;
 
 /**
- * A clock as it was when this was made, moved on by a timer. Somebody who sets the computer's clock
+ * A clock that a timer moves on from where it began. Somebody who sets the computer's clock
  * meanwhile moves no time-out: two robots that count the same span must not come to differ by that.
+ * {@link AgentMemory} says where it begins, so that it goes on in the next process.
  */
 final class SteadyClock implements InstantSource {
 
@@ -14,8 +15,11 @@ final class SteadyClock implements InstantSource {
   private final long beganNanos;
   private final Scheduler timer;
 
-  SteadyClock(InstantSource clock, Scheduler timer) {
-    this.began = clock.instant();
+  /**
+   * @param began what it says now
+   */
+  SteadyClock(Instant began, Scheduler timer) {
+    this.began = began;
     this.beganNanos = timer.nanos();
     this.timer = timer;
   }

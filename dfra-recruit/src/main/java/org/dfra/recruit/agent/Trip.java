@@ -1,12 +1,8 @@
 package org.dfra.recruit.agent;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
 import java.time.Duration;
-import java.time.Instant;
-import java.time.format.DateTimeParseException;
-import java.time.temporal.ChronoUnit;
+import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
@@ -19,14 +15,10 @@ import org.dfra.core.behavior.Delegation;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
-import org.dfra.core.state.StateStore;
-import org.dfra.directory.ModuleListing;
-import org.dfra.directory.ModuleQuery;
-import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.recruit.agent.Body.Journey;
+import org.dfra.recruit.agent.TripMemory.Begun;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -46,33 +38,9 @@ final class Trip {
   /** How long it waits before it looks again. */
   static final long LOOK_NANOS = 500_000_000;
 
-  private static final String DOCUMENT = "trip";
-
-  /**
-   * What an earlier process has begun.
-   *
-   * @param goal its name
-   * @param place where to, as text
-   * @param asked when the agent was asked to go there, by the robot's clock
-   */
-  private record Begun(UUID goal, String place, Instant asked) {
-
-    static Begun of(String text) {
-      String[] lines = text.split("\n", 3);
-      return new Begun(
-          UUID.fromString(lines[0]),
-          lines.length > 1 ? lines[1] : "",
-          lines.length > 2 ? Instant.parse(lines[2]) : Instant.EPOCH); // any stop counts then
-    }
-
-    String text() {
-      return goal + "\n" + place + "\n" + asked;
-    }
-  }
-
   private final String path;
   private final ModuleContext context;
-  private final StateStore state;
+  private final TripMemory memory;
   private final Errands errands;
   private final Delegation<LegGoal, GoToWaypoint> travel;
   private final LeftWork work;
@@ -84,9 +52,8 @@ final class Trip {
   private long leaseEnd; // of the journey, nanoseconds
   private boolean isExtended; // and what drives does not know that yet
   private @Nullable LegGoal aim; // of the last journey
-  private Instant asked = Instant.EPOCH; // for that
+  private @Nullable EmergencyStops stops; // when that was asked for; null until wheels answer
   private @Nullable Begun inherited; // until it is known whether that is still under way
-  private boolean isKept; // that one was begun
   private boolean isResting; // as soon as it can
   private volatile boolean isOver;
 
@@ -99,7 +66,7 @@ final class Trip {
   Trip(ModuleContext context, Errands errands, LeftWork work, Hold hold, Logger log) {
     this.path = context.path();
     this.context = context;
-    this.state = context.state();
+    this.memory = new TripMemory(context, log);
     this.errands = errands;
     this.time = context.robotTime();
     this.work = work;
@@ -112,32 +79,13 @@ final class Trip {
 
   /** Knows again what was begun in an earlier process. */
   void recall() {
-    try {
-      String text = new String(state.read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
-      if (!text.isEmpty()) {
-        Begun begun = Begun.of(text);
-        inherited = begun;
-        last = begun.goal(); // nobody else began that
-        isKept = true;
-      }
-    } catch (IOException | IllegalArgumentException | DateTimeParseException e) {
-      log.warn("{}: it does not know where it was going: {}", path, e.toString());
-    }
-  }
-
-  private void keep(String text) {
-    try {
-      state.write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
-      isKept = !text.isEmpty();
-    } catch (IOException e) {
-      log.warn("{}: its next process would not know where it is going: {}", path, e.toString());
-    }
-  }
-
-  private void forget() {
-    if (isKept) {
-      keep("");
-    }
+    memory
+        .recall()
+        .ifPresent(
+            begun -> {
+              inherited = begun;
+              last = begun.goal(); // nobody else began that
+            });
   }
 
   /**
@@ -179,10 +127,7 @@ final class Trip {
       travel.end();
     }
     Begun last = inherited;
-    asked =
-        last != null && last.place().equals(goal.to().toString())
-            ? last.asked()
-            : context.clock().instant();
+    stops = last != null && last.place().equals(goal.to().toString()) ? last.stops() : null;
     aim = goal;
     leaseEnd = end;
     isExtended = false;
@@ -229,7 +174,7 @@ final class Trip {
       log.info("{}: it stops until it has asked all behaviours of the robot", path);
       travel.end();
       if (!travel.isLoose()) {
-        forget(); // the next process is not to take this for a stop of somebody else
+        memory.forget(); // the next process is not to take this for a stop of somebody else
       }
     }
   }
@@ -270,7 +215,7 @@ final class Trip {
   private void stand(Journey of, String why) {
     journey = null;
     travel.end();
-    forget();
+    memory.forget();
     work.leaveToPeople();
     of.failed(why);
   }
@@ -285,16 +230,16 @@ final class Trip {
    * not. What drives may have died meanwhile, so that its goal does not say so.
    */
   private boolean isStoppedSince() throws RemoteException {
-    for (ModuleListing<DriveEffector> each :
-        context.directory().find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))) {
-      StopState stop = each.module().stopState();
-      Instant since = stop.since();
-      Instant first = asked.truncatedTo(ChronoUnit.MILLIS); // as exact as since is
-      if (stop.latched() || (since != null && !since.isBefore(first))) {
-        return true;
-      }
+    Optional<EmergencyStops> now = EmergencyStops.ask(context);
+    if (now.isEmpty()) {
+      return true;
     }
-    return false;
+    @Nullable EmergencyStops first = stops;
+    if (first == null) {
+      stops = now.get();
+      return false;
+    }
+    return first.isOtherThan(now.get(), hold::lastStop);
   }
 
   private void begun(LegGoal goal, Journey of) throws RemoteException {
@@ -309,7 +254,7 @@ final class Trip {
       travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
       isExtended = false;
       travel.goal().ifPresent(this::noted);
-      travel.goal().ifPresent(name -> keep(new Begun(name, goal.to().toString(), asked).text()));
+      travel.goal().ifPresent(name -> keep(name, goal));
     } catch (DelegateHeldException e) {
       stand(of, String.valueOf(e.getMessage()));
     } catch (GoalRefusedException e) {
@@ -324,6 +269,11 @@ final class Trip {
 
   private void noted(UUID goal) {
     last = goal;
+  }
+
+  private void keep(UUID name, LegGoal goal) {
+    EmergencyStops known = stops == null ? new EmergencyStops(Map.of()) : stops;
+    memory.keep(new Begun(name, goal.to().toString(), known));
   }
 
   /** Its lease of the task ends at another time; what drives goes on without a stop. */
@@ -358,7 +308,7 @@ final class Trip {
     } else {
       travel.forget();
     }
-    forget();
+    memory.forget();
     journey = null;
     if (status.phase() == Phase.SUCCEEDED) {
       of.arrived();
@@ -401,7 +351,7 @@ final class Trip {
     try {
       Optional<String> unused = inherit(null);
       if (!travel.isLoose()) {
-        forget();
+        memory.forget();
       }
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: it does not know yet whether it still drives: {}", path, e.toString());

@@ -113,6 +113,11 @@ public record ResponderState(
     return remember(over.requester(), ledger(over).close(over.number()));
   }
 
+  /** Without anything that a span binds it to; what it remembers of each requester stays. */
+  public ResponderState afterAnotherBoot() {
+    return conversation == null ? this : freed();
+  }
+
   ResponderState freed() {
     return free(close(partIn()).ledgers);
   }

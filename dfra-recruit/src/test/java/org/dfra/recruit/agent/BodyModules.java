@@ -24,6 +24,7 @@ import org.dfra.core.behavior.Progress;
 import org.dfra.core.behavior.Pursuit;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.module.PerceptualSchemaImpl;
@@ -54,6 +55,10 @@ final class BodyModules implements AutoCloseable {
 
   final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
   final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
+
+  /** By how much somebody has set the wall clock. */
+  Duration set = Duration.ZERO;
+
   private final Map<String, StateStore> kept = new HashMap<>();
   private final Map<ModuleImpl, Watch> listed = new HashMap<>();
 
@@ -62,9 +67,16 @@ final class BodyModules implements AutoCloseable {
             ROBOT,
             name,
             Parameters.of(ROBOT + "/" + name, Map.of()),
-            time,
-            kept.computeIfAbsent(name, unused -> StateStore.inMemory()))
+            this::wall,
+            kept.computeIfAbsent(name, unused -> StateStore.inMemory()),
+            LeaseTerms.USUAL,
+            time)
         .among(directory);
+  }
+
+  /** What the wall clock says. */
+  Instant wall() {
+    return time.instant().plus(set);
   }
 
   /** What a module of that name kept is lost. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.recruit.agent.BodyModules.at;
 
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.behavior.HomeGoal;
@@ -16,9 +17,26 @@ import org.dfra.recruit.agent.BodyModules.Follower;
 import org.dfra.recruit.agent.BodyModules.Homing;
 import org.dfra.recruit.agent.BodyModules.Position;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whether a robot may be asked to help at all. */
 class FreeBodyTest extends BodyFixture {
+
+  @ParameterizedTest
+  @ValueSource(ints = {-3600, 3600})
+  void oneWhoseClockIsSetKnowsForAsLongWhereItIs(int seconds) {
+    position.see(0, 0);
+    modules.step(0.1);
+    modules.set = Duration.ofSeconds(seconds);
+    modules.step(1.6);
+    assertThat(body.isFree()).as("it has just seen where it is").isTrue();
+    modules.step(0.5);
+    assertThat(body.isFree()).as("its position is too old").isFalse();
+    position.see(0, 0);
+    modules.step(0.1);
+    assertThat(body.isFree()).isTrue();
+  }
 
   @Test
   void oneThatDoesNotKnowWhereItIsIsNotAsked() {

@@ -19,6 +19,8 @@ import org.dfra.flow.effector.StopState;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What an agent's process began that died, and its next one finds. */
 class OrphanedTripTest extends BodyFixture {
@@ -141,6 +143,42 @@ class OrphanedTripTest extends BodyFixture {
     modules.step(1);
     assertThat(third.goal).as("it is not begun anew").isNull();
     assertThat(told).hasSize(1);
+  }
+
+  /** The wheels say when they were stopped by a clock that was set after the agent was asked. */
+  @Test
+  void anEmergencyStopIsNoticedThoughTheClockWasSetBackBeforeIt() {
+    StoppedDrive wheels = new StoppedDrive(modules);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    modules.set = Duration.ofHours(-1);
+    Driver next = restarted(driver);
+    wheels.stop = new StopState(false, "a test", modules.wall(), true, null);
+    modules.step(1);
+    assertThat(next.goal).as("it is not begun anew").isNull();
+    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
+  }
+
+  /** So is the other way round: what was before the agent was asked does not count. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void anEarlierEmergencyStopDoesNotCountThoughTheClockWasSetBackAfterIt(boolean isOrphaned) {
+    StoppedDrive wheels = new StoppedDrive(modules);
+    wheels.stop = new StopState(false, "a test", modules.wall(), true, null);
+    modules.step(1);
+    modules.set = Duration.ofHours(-1);
+    if (isOrphaned) {
+      UUID unused = bereave();
+    }
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(told).isEmpty();
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    LegGoal own = driver.goal;
+    modules.set = Duration.ofHours(1);
+    Driver next = restarted(driver);
+    modules.step(1);
+    assertThat(next.goal).as("not stopped since").isEqualTo(own);
   }
 
   /** The process that drives dies, and there is another. */

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import org.jspecify.annotations.Nullable;
+import org.dfra.core.time.BootId;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -30,8 +30,6 @@ import org.slf4j.LoggerFactory;
 record ProcessIdentity(long pid, String start) implements Serializable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ProcessIdentity.class);
-
-  private static final Path BOOT_ID = Path.of("/proc/sys/kernel/random/boot_id");
 
   /**
    * The identity of a process that lives.
@@ -114,7 +112,7 @@ record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   private static Sign sign(long pid) {
-    if (!Files.isReadable(BOOT_ID)) {
+    if (!BootId.system().isSupported()) {
       return ProcessHandle.of(pid)
           .filter(ProcessHandle::isAlive)
           .flatMap(handle -> handle.info().startInstant())
@@ -137,16 +135,6 @@ record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   private static String boot() throws IOException {
-    @Nullable String known = Boot.id;
-    if (known == null) {
-      known = Files.readString(BOOT_ID).trim();
-      Boot.id = known;
-    }
-    return known;
-  }
-
-  /** The boot does not change while this process lives. */
-  private static final class Boot {
-    private static volatile @Nullable String id;
+    return BootId.system().read().orElseThrow(() -> new IOException("it names no boot any more"));
   }
 }

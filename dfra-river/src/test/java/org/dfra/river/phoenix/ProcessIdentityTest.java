@@ -10,9 +10,11 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.dfra.core.time.ScaledTime;
 import org.dfra.river.fixture.ChildJvm;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -94,7 +96,8 @@ class ProcessIdentityTest {
 
   /**
    * A process that may open no more files finds a living process alive and a dead one dead, ends
-   * nobody by mistake, and can end it as soon as it may open files again.
+   * nobody by mistake, and can end it as soon as it may open files again. It knows its boot
+   * throughout, also where it first hands on a time.
    */
   @Test
   @EnabledOnOs(OS.LINUX)
@@ -114,7 +117,9 @@ class ProcessIdentityTest {
             "dead when starved: true",
             "alive after it was to be ended: true",
             "a new one: cannot be identified",
-            "ended when fed: true");
+            "ended when fed: true",
+            "a time says its boot when starved: true",
+            "a time says its boot when fed: true");
     assertThat(child.waitFor(20, TimeUnit.SECONDS)).isTrue();
   }
 
@@ -125,6 +130,7 @@ class ProcessIdentityTest {
           ProcessIdentity.of(ProcessHandle.of(Long.parseLong(args[0])).orElseThrow());
       ProcessIdentity dead = new ProcessIdentity(Long.parseLong(args[1]), living.start());
       boolean unused = living.isAlive() && dead.isAlive(); // loads what it needs
+      ScaledTime time = new ScaledTime(4, Instant.EPOCH);
       new ProcessIdentity(living.pid(), "another").destroy(true);
       List<String> said = new ArrayList<>();
       List<FileInputStream> open = new ArrayList<>();
@@ -133,6 +139,7 @@ class ProcessIdentityTest {
           open.add(new FileInputStream("/dev/null"));
         }
       } catch (FileNotFoundException e) { // too many open files
+        said.add("a time says its boot when starved: " + time.onThisComputer().contains("(boot "));
         said.add("alive when starved: " + living.isAlive());
         said.add("dead when starved: " + !dead.isAlive());
         living.destroy(true);
@@ -147,6 +154,7 @@ class ProcessIdentityTest {
       for (FileInputStream each : open) {
         each.close();
       }
+      said.add("a time says its boot when fed: " + time.onThisComputer().contains("(boot "));
       living.destroy(true);
       said.add("ended when fed: " + living.awaitDeath(Duration.ofSeconds(20)));
       said.forEach(System.out::println);
