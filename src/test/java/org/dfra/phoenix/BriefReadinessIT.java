@@ -60,4 +60,21 @@ class BriefReadinessIT {
     GroupStatus crashed = phoenix.awaitStatus("lamp", status -> status.totalCrashes() > 3);
     assertThat(crashed.heldOffUntil()).isNull();
   }
+
+  @Test
+  void oneThatSomebodyEndsIsStartedAgainAndIsNotHeldOff() throws Exception {
+    activate("lantern", "");
+    for (int i = 0; i < 3; i++) {
+      GroupStatus before = phoenix.awaitStatus("lantern", status -> status.pid() >= 0);
+      assertThat(ProcessHandle.of(before.pid()).orElseThrow().destroy()).isTrue();
+      GroupStatus again =
+          phoenix.awaitStatus(
+              "lantern",
+              status ->
+                  status.heldOffUntil() != null
+                      || status.pid() >= 0 && status.incarnation() > before.incarnation());
+      assertThat(again.heldOffUntil()).isNull();
+    }
+    assertThat(phoenix.status("lantern").totalCrashes()).isZero();
+  }
 }

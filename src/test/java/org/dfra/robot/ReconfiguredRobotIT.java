@@ -329,6 +329,24 @@ class ReconfiguredRobotIT {
 
   /** What {@code module add} and its siblings do; the drive's driver still has the device. */
   @Test
+  void modulesThatExchangeTheirDevicesBothEndBeforeEitherStarts() throws Exception {
+    awaitCelsius("drive", 1);
+    awaitCelsius("eye", 1);
+    up(group("one", module("drive", 2, "eye")) + group("two", module("eye", 2, "drive")));
+    awaitCelsius("drive", 2);
+    awaitCelsius("eye", 2);
+    assertThat(steps).filteredOn(step -> step.startsWith("RESTARTED")).hasSize(2);
+  }
+
+  @Test
+  void aNewModuleStartsWhenTheOneThatHadItsDeviceHasEnded() throws Exception {
+    awaitCelsius("drive", 1);
+    up(group("mast", module("mast", 4, "drive")) + group("one", module("drive", 3, "other")));
+    awaitCelsius("mast", 4);
+    awaitCelsius("drive", 3);
+  }
+
+  @Test
   void noSingleModuleIsStartedBesideADriverThatPhoenixHasForgotten() throws Exception {
     awaitCelsius("drive", 1);
     ProcessHandle left = forgetDrive();

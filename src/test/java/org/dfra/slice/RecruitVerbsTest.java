@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.app.InProcessCommand;
 import org.dfra.app.terminal.ExitCode;
@@ -18,6 +19,7 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
 import org.dfra.flow.effector.DriveEffector;
+import org.dfra.module.NotReadyException;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -123,7 +125,17 @@ class RecruitVerbsTest {
   void aHeldRobotIsShownAndHelpsAgainWhenAPersonSaysSo() throws Exception {
     GoToWaypoint driving = (GoToWaypoint) robots.find("GoToWaypoint on robot").module();
     assertThat(driving.awaitReadiness(PATIENCE).serves()).isTrue();
-    UUID goal = driving.pursue(new LegGoal(null, SmallRobot.at(30, 0), 1));
+    // The robot may not know yet where it is.
+    AtomicReference<UUID> begun = new AtomicReference<>();
+    await()
+        .atMost(PATIENCE)
+        .ignoreException(NotReadyException.class)
+        .until(
+            () -> {
+              begun.set(driving.pursue(new LegGoal(null, SmallRobot.at(30, 0), 1)));
+              return true;
+            });
+    UUID goal = begun.get();
     driving.pause();
     awaitHeld("stopped robot/go_to_waypoint");
     InProcessCommand held = recruit("status");

@@ -115,17 +115,43 @@ final class BringUp {
         services.add(registrar(group, group.registrar().get()));
       }
     }
+    // Whatever ends does so before anything starts, which may need its device.
+    List<Ready> all = new ArrayList<>();
     for (GroupDescription group : robot.groups()) {
       ActivationGroupID groupId = loader.group(group);
       for (ModuleDescription module : group.modules()) {
         if (!notEnded.containsKey(module.name())) {
           try {
-            services.add(module(groupId, group.name(), module));
+            all.add(ready(groupId, group.name(), module));
           } catch (NotEndedException e) { // it works on as it was described before
             notEnded.put(module.name(), e);
           }
         }
       }
+    }
+    services.addAll(start(all));
+    return services;
+  }
+
+  /** One that does not start keeps no other that has ended for this from starting. */
+  private List<Service> start(List<Ready> all) throws ActivationException, IOException {
+    List<Service> services = new ArrayList<>();
+    List<ActivationException> failures = new ArrayList<>();
+    for (Ready each : all) {
+      try {
+        ServiceStart.of(each.service(), each.module().place(), patience);
+        step(each.service().name(), each.service().group(), each.kind(), each.detail());
+        services.add(each.service());
+      } catch (ActivationException e) {
+        failures.add(e);
+      }
+    }
+    if (failures.size() == 1) {
+      throw failures.get(0);
+    }
+    if (!failures.isEmpty()) {
+      throw new ActivationException(
+          failures.stream().map(Exception::getMessage).collect(Collectors.joining("; ")));
     }
     return services;
   }
@@ -271,7 +297,10 @@ final class BringUp {
     return patience.ask(() -> admin.activeObjects(group)).contains(object);
   }
 
-  private Service module(ActivationGroupID groupId, String group, ModuleDescription module)
+  /** A module that is registered as it is described, and does not run as it was before. */
+  private record Ready(Service service, ModuleDescription module, Kind kind, String detail) {}
+
+  private Ready ready(ActivationGroupID groupId, String group, ModuleDescription module)
       throws ActivationException, IOException {
     Optional<RegisteredGroup.Module> here = before(group).flatMap(old -> old.module(module.name()));
     ModuleActivation activation = settings.of(module, identity(module, here));
@@ -279,19 +308,18 @@ final class BringUp {
         here.map(old -> ActivationChanges.between(old.activation(), activation)).orElse(List.of());
     boolean wasActive = here.isPresent() && isActive(groupId, here.get().id());
     ActivationID id = loader.module(groupId, group, activation);
-    Service service = new Service(module.path(), group, id);
     if (here.isPresent() && !changes.isEmpty()) {
       moduleEnd.deactivate(here.get()); // whoever started it meanwhile did so as described before
     }
-    ServiceStart.of(service, module.place(), patience);
-    step(
-        service.name(),
-        group,
-        kind(module.name(), wasActive, changes),
+    String detail =
         moved.containsKey(module.name())
             ? moved.get(module.name()).group()
-            : String.join(", ", changes));
-    return service;
+            : String.join(", ", changes);
+    return new Ready(
+        new Service(module.path(), group, id),
+        module,
+        kind(module.name(), wasActive, changes),
+        detail);
   }
 
   private Kind kind(String module, boolean wasActive, List<String> changes) {

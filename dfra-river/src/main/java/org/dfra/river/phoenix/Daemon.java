@@ -126,14 +126,15 @@ final class Daemon {
   /** Has the group told when its process ends; {@code child} where this phoenix started it. */
   void watch(Group group, ProcessIdentity identity, @Nullable Process child) {
     if (child != null) {
-      child
-          .onExit()
-          .thenAccept(ended -> group.died(identity, "ended (exit code " + ended.exitValue() + ")"));
+      child.onExit().thenAccept(ended -> group.died(identity, ProcessEnd.of(ended.exitValue())));
     } else {
       threads.execute(
           () -> {
             if (identity.awaitDeath(Duration.ofDays(36500))) {
-              group.died(identity, "ended (exit code unknown: it was a former phoenix's child)");
+              group.died(
+                  identity,
+                  ProcessEnd.byItself(
+                      "ended (exit code unknown: it was a former phoenix's child)"));
             }
           });
     }

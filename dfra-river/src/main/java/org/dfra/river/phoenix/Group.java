@@ -126,7 +126,7 @@ final class Group {
     lock.lock();
     try {
       if (current.number() == number && current.process() == null) {
-        ended(how);
+        ended(ProcessEnd.byItself(how));
       }
     } finally {
       lock.unlock();
@@ -258,7 +258,7 @@ final class Group {
       condemned.destroy(true);
       if (condemned.awaitDeath(daemon.configuration().groupTimeout())) {
         awaitNotice(condemned);
-        died(condemned, "could not be reached and was ended");
+        died(condemned, ProcessEnd.byItself("could not be reached and was ended"));
       }
     }
   }
@@ -281,10 +281,8 @@ final class Group {
   /**
    * A process of this group has ended. Where it was the current one, and it had not said that it
    * would, that is a crash.
-   *
-   * @param how it ended, as the rest of a sentence that begins with the group's name
    */
-  void died(ProcessIdentity who, String how) {
+  void died(ProcessIdentity who, ProcessEnd how) {
     lock.lock();
     try {
       if (who.equals(current.process())) {
@@ -295,7 +293,7 @@ final class Group {
     }
   }
 
-  private void ended(String how) {
+  private void ended(ProcessEnd how) {
     boolean announced = current.state() == State.LEAVING;
     endTurn();
     boolean worked = daemon.restarts().hadWorked(this, current.number());

@@ -37,17 +37,19 @@ final class Supervision {
    * The group's process has ended, or was never launched. That is a crash, but where it was
    * announced, the group is forgotten or the daemon itself ends.
    *
-   * @param how it ended, as the rest of a sentence that begins with the group's name
    * @param announced whether the process had said that it would
    * @param worked whether its modules had worked in it
    */
-  void ended(String how, boolean announced, boolean worked) {
+  void ended(ProcessEnd end, boolean announced, boolean worked) {
+    String how = end.how();
     lastFailure = how + "; see " + daemon.output(group.name) + " and the .vm.log beside it";
     if (announced || forgotten || !daemon.isRunning()) {
       LOG.info("Group {} {}.", group.name, how);
       return;
     }
-    crashes.crashed(how, worked);
+    if (!end.isAskedFor()) { // else it is only started again
+      crashes.crashed(how, worked);
+    }
     LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isPresent()) {
