@@ -46,7 +46,9 @@ allprojects {
         include("**/*Test.class", "**/*IT.class")
         // Much of a test's time is waiting, for leases, devices and processes; src/test loads the computer by itself.
         maxParallelForks = if (project == rootProject) 1 else 2
-        jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
+        // The full counts of the modules' own tests are worth the slower compiler; nothing else lives as long.
+        val compiler = if (full == "true" && project != rootProject) 4 else 1
+        jvmArgs("-Xshare:auto", "-XX:TieredStopAtLevel=$compiler", "-XX:+UseSerialGC")
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
         systemProperty("dfra.soak", soak)

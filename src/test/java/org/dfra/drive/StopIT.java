@@ -14,6 +14,8 @@ import java.util.stream.Stream;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.WheeledRobot.Said;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -47,6 +49,11 @@ class StopIT {
   private static LivingPhoenix phoenix;
   private static DriveEffector drive;
 
+  /** From typing the command, which starts a Java virtual machine, to its first order. */
+  private static final Duration FIRST_ORDER = Duration.ofSeconds(1);
+
+  private static final StallProbe probe = StallProbe.start();
+
   @BeforeAll
   static void bringUp() throws Exception {
     robot = WheeledRobot.start(folder, "drive");
@@ -63,6 +70,7 @@ class StopIT {
 
   @AfterAll
   static void takeDown() throws Exception {
+    probe.close();
     if (robot != null) { // else it has said why, and nothing is left of it
       robot.close();
     }
@@ -105,9 +113,14 @@ class StopIT {
   void stopsARobotThatDrivesUntilItIsReleasedAlsoWhereItsProcessIsKilled() throws Exception {
     try (Commander commander = new Commander(drive, LEASE, AHEAD)) {
       robot.awaitFullSpeed();
+      StallProbe.Stopwatch running = probe.stopwatch();
       Instant typed = Instant.now();
       Said said = stop("--all");
+      Timing timing = running.stop();
       assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+      Instant ordered = Objects.requireNonNull(drive.stopState().since());
+      new Timing(Duration.between(typed, ordered), timing.stalled(), timing.load())
+          .requireWithin("./dfra stop --all to its first order", FIRST_ORDER);
       assertTheyStand(typed, "./dfra stop --all was typed");
       await().atMost(PATIENCE).until(commander::hasGivenUp);
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());

@@ -199,7 +199,7 @@ class ClockStepIT {
         .pollInterval(Duration.ofMillis(100))
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
         .until(() -> listed(registrar).equals(Set.of(names)));
-    listed.requireWithin("being listed aright after a step of the clock", BOUND.plusSeconds(1));
+    listed.requireWithin("being listed aright after a step of the clock", BOUND);
   }
 
   /** By then whoever is to be dropped has been. */

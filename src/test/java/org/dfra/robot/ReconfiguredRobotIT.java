@@ -7,6 +7,7 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
@@ -344,6 +345,29 @@ class ReconfiguredRobotIT {
     up(group("mast", module("mast", 4, "drive")) + group("one", module("drive", 3, "other")));
     awaitCelsius("mast", 4);
     awaitCelsius("drive", 3);
+  }
+
+  @Test
+  void nothingNewIsStartedWhereADriverDoesNotEnd() throws Exception {
+    awaitCelsius("drive", 1);
+    awaitCelsius("eye", 1);
+    String exchanged =
+        group("one", module("drive", 2, "eye")) + group("two", module("eye", 2, "drive"));
+    long pid = phoenix.group("mu.one").pid();
+    assertThat(signal("STOP", pid).waitFor()).isZero();
+    try {
+      assertThatThrownBy(() -> up(exchanged + group("mast", module("mast", 4))))
+          .isInstanceOf(ActivationException.class)
+          .hasMessageContaining("mu/drive may still work in group one: ")
+          .hasMessageContaining("mu/eye is not started: what did not end may have its device")
+          .hasMessageContaining("mu/mast is not started: ");
+      assertThat(phoenix.group("mu.mast").pid()).isNegative();
+    } finally {
+      assertThat(signal("CONT", pid).waitFor()).isZero();
+    }
+    up(exchanged);
+    awaitCelsius("drive", 2);
+    awaitCelsius("eye", 2);
   }
 
   @Test

@@ -137,6 +137,11 @@ public final class ModuleQuery<M extends Module> {
     return kind;
   }
 
+  /** The robot that is asked for; empty where any robot will do. */
+  public Optional<String> robot() {
+    return Optional.ofNullable(robot);
+  }
+
   /**
    * Whether a module is what is asked for.
    *

@@ -9,6 +9,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
@@ -79,13 +80,19 @@ class UpCommandTest {
 
   /** What it says on standard error, line by line; nothing is begun. */
   private List<String> refused(String module) throws IOException {
+    return refused(robot(module));
+  }
+
+  private List<String> refused(Path... robots) throws IOException {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     CommandLine line = Main.commandLine();
     line.setOut(new PrintWriter(out, true));
     line.setErr(new PrintWriter(err, true));
     Path state = folder.resolve("state");
-    int exit = line.execute("up", robot(module).toString(), "--state=" + state);
+    List<String> words = new ArrayList<>(List.of("up", "--state=" + state));
+    Stream.of(robots).forEach(each -> words.add(each.toString()));
+    int exit = line.execute(words.toArray(String[]::new));
     assertThat(exit).as(err.toString()).isEqualTo(ExitCode.FAILED);
     assertThat(out.toString()).isEmpty();
     assertThat(state).as("what phoenix keeps").doesNotExist();
@@ -212,6 +219,23 @@ class UpCommandTest {
             ":6: eta/range_filter: parameter reach is \"8m\", which is not a number",
             ":7: eta/range_filter: parameter scans is \"laser\", which is not a number",
             ":8: eta/range_filter: parameter memory is \"long\", which is not a number");
+  }
+
+  @Test
+  void tellsWhatIsWrongWithSeveralRobotsTogether() throws IOException {
+    Path other = Files.createDirectory(folder.resolve("other")).resolve("theta.xml");
+    Files.writeString(
+        other,
+        """
+        <robot xmlns="urn:dfra:robot:1" name="theta" host="127.0.0.1">
+        <gruop name="one"/>
+        </robot>
+        """);
+    Path first = robot(module("range_filter", "range-filter", "rech", "8"));
+    for (List<Path> order : List.of(List.of(other, first), List.of(first, other))) {
+      assertThat(String.join("\n", refused(order.toArray(Path[]::new))))
+          .contains(other + ":2: ", "gruop", "has no parameter \"rech\"");
+    }
   }
 
   static Stream<Path> properties() throws IOException {

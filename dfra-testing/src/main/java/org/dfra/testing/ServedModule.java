@@ -160,6 +160,22 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
+  /** The same under another name. */
+  public ServedModule<S> named(String name) {
+    ModuleDescription old = activation.module();
+    return described(
+        new ModuleDescription(
+            old.robot(),
+            name,
+            old.serverClass(),
+            old.proxyClass(),
+            old.driverClass(),
+            old.configuration(),
+            old.restart(),
+            new Parameters(old.robot() + "/" + name, old.parameters().all()),
+            old.place()));
+  }
+
   /** The same with another driver, which has no parameters yet: parameters are a driver's own. */
   public ServedModule<S> driven(Class<? extends ModuleImpl> driver) {
     ModuleDescription old = activation.module();
@@ -219,6 +235,18 @@ public record ServedModule<S extends ModuleServer<?>>(
             activation.module(),
             id,
             activation.host(),
+            activation.lookupGroups(),
+            activation.locators()));
+  }
+
+  /** The same on the computer of this name or address, which must be one of this computer's. */
+  public ServedModule<S> at(String host) {
+    return new ServedModule<>(
+        server,
+        new ModuleActivation(
+            activation.module(),
+            activation.id(),
+            host,
             activation.lookupGroups(),
             activation.locators()));
   }

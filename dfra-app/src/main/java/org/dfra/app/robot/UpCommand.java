@@ -70,12 +70,7 @@ public final class UpCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    List<RobotDescription> robots = new ArrayList<>();
-    for (Path each : xml) { // all are read and tried before anything is begun
-      robots.add(RobotXml.read(each));
-    }
-    requireDifferentNames(robots);
-    Rehearsal.of(robots);
+    List<RobotDescription> robots = robots();
     PhoenixProcess phoenix = options.last();
     if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
       // Its address is in every proxy that brings a module back, so others must reach it too.
@@ -160,6 +155,34 @@ public final class UpCommand implements Callable<Integer> {
   }
 
   /** Two robots of one name on one phoenix would be one, as the last XML says. */
+  /**
+   * The robots, read and tried before anything is begun.
+   *
+   * @throws ConfigurationException naming all that is wrong with any of them
+   */
+  private List<RobotDescription> robots() {
+    List<RobotDescription> robots = new ArrayList<>();
+    List<String> faults = new ArrayList<>();
+    for (Path each : xml) {
+      try {
+        RobotDescription robot = RobotXml.read(each);
+        robots.add(robot);
+        Rehearsal.of(robot);
+      } catch (ConfigurationException e) {
+        faults.add(String.valueOf(e.getMessage()));
+      }
+    }
+    try {
+      requireDifferentNames(robots);
+    } catch (ConfigurationException e) {
+      faults.add(String.valueOf(e.getMessage()));
+    }
+    if (!faults.isEmpty()) {
+      throw new ConfigurationException(String.join("\n", faults));
+    }
+    return robots;
+  }
+
   private void requireDifferentNames(List<RobotDescription> robots) {
     Map<String, Path> sources = new HashMap<>();
     for (RobotDescription robot : robots) {

@@ -2,7 +2,6 @@ package org.dfra.core.robot;
 
 import java.time.InstantSource;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -67,23 +66,6 @@ public final class Rehearsal {
     Rehearsal rehearsal = new Rehearsal(robot);
     rehearsal.needs.forEach(rehearsal::requireNamed);
     judge(rehearsal.faults);
-  }
-
-  /**
-   * The same with several robots.
-   *
-   * @throws ConfigurationException naming everything that is wrong with all of them
-   */
-  public static void of(Collection<RobotDescription> robots) {
-    List<String> all = new ArrayList<>();
-    for (RobotDescription each : robots) {
-      try {
-        of(each);
-      } catch (ConfigurationException e) {
-        all.add(String.valueOf(e.getMessage()));
-      }
-    }
-    judge(all);
   }
 
   /**

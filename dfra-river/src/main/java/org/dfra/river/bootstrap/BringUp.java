@@ -29,8 +29,9 @@ import org.jspecify.annotations.Nullable;
  * One bringing up of a robot: makes what is registered and runs what the description says.
  *
  * <p>What has to go, goes first: a module that the description has in another group, or not at all,
- * has ended before anything is started. Otherwise two drivers could have one motor. A module whose
- * end is not proven is not started elsewhere; the others are, and then that is thrown.
+ * has ended before anything is started, and so has what is described otherwise than before.
+ * Otherwise two drivers could have one motor. Where one end is not proven, only what is described
+ * as before is started. All that went wrong with single modules is thrown at the end.
  */
 final class BringUp {
 
@@ -48,6 +49,7 @@ final class BringUp {
   private final GroupEnd groupEnd;
   private final Map<String, RegisteredGroup.Module> moved = new HashMap<>();
   private final Map<String, NotEndedException> notEnded = new TreeMap<>();
+  private final List<Exception> failures = new ArrayList<>(); // of other modules
   private List<RegisteredGroup> before = List.of();
 
   /** What a module is activated with, for a robot on a host. */
@@ -81,7 +83,8 @@ final class BringUp {
    * Does it.
    *
    * @return what is up, the registrar first
-   * @throws NotEndedException if all else is up, but the end of a module is not proven
+   * @throws ActivationException if modules did not start, or their end is not proven: which, and
+   *     why
    */
   List<Service> run() throws ActivationException, IOException {
     before = loader.registered();
@@ -97,13 +100,12 @@ final class BringUp {
     }
     new ForgottenServices(groupEnd).end(robot.name(), listener);
     List<Service> services = start();
-    sayWhatWasKept(processes);
-    if (!notEnded.isEmpty()) {
-      throw new ActivationException(
-          notEnded.values().stream()
-              .map(NotEndedException::getMessage)
-              .collect(Collectors.joining("; ")));
+    try {
+      sayWhatWasKept(processes);
+    } catch (ActivationException | IOException e) {
+      failures.add(e);
     }
+    throwFailures();
     return services;
   }
 
@@ -125,35 +127,49 @@ final class BringUp {
             all.add(ready(groupId, group.name(), module));
           } catch (NotEndedException e) { // it works on as it was described before
             notEnded.put(module.name(), e);
+          } catch (ActivationException | IOException e) {
+            failures.add(e);
           }
         }
       }
     }
-    services.addAll(start(all));
-    return services;
-  }
-
-  /** One that does not start keeps no other that has ended for this from starting. */
-  private List<Service> start(List<Ready> all) throws ActivationException, IOException {
-    List<Service> services = new ArrayList<>();
-    List<ActivationException> failures = new ArrayList<>();
     for (Ready each : all) {
       try {
-        ServiceStart.of(each.service(), each.module().place(), patience);
-        step(each.service().name(), each.service().group(), each.kind(), each.detail());
+        start(each);
         services.add(each.service());
-      } catch (ActivationException e) {
+      } catch (ActivationException | IOException e) {
         failures.add(e);
       }
     }
-    if (failures.size() == 1) {
-      throw failures.get(0);
-    }
-    if (!failures.isEmpty()) {
-      throw new ActivationException(
-          failures.stream().map(Exception::getMessage).collect(Collectors.joining("; ")));
-    }
     return services;
+  }
+
+  private void start(Ready ready) throws ActivationException, IOException {
+    Service service = ready.service();
+    if (ready.isOther() && !notEnded.isEmpty()) {
+      groupEnd.unregister(service.id()); // or a call would start it
+      throw new ActivationException(
+          ready.module().place()
+              + ": "
+              + service.name()
+              + " is not started: what did not end may have its device; when that has ended, bring"
+              + " the robot up again");
+    }
+    ServiceStart.of(service, ready.module().place(), patience);
+    step(service.name(), service.group(), ready.kind(), ready.detail());
+  }
+
+  /** Throws what went wrong with single modules, all of it. */
+  private void throwFailures() throws ActivationException, IOException {
+    List<Exception> all = new ArrayList<>(notEnded.values());
+    all.addAll(failures);
+    if (all.size() == 1 && all.get(0) instanceof IOException failure) {
+      throw failure;
+    }
+    if (!all.isEmpty()) {
+      throw new ActivationException(
+          all.stream().map(Exception::getMessage).distinct().collect(Collectors.joining("; ")));
+    }
   }
 
   /** How often a process was started for each of the robot's groups that has one. */
@@ -297,8 +313,13 @@ final class BringUp {
     return patience.ask(() -> admin.activeObjects(group)).contains(object);
   }
 
-  /** A module that is registered as it is described, and does not run as it was before. */
-  private record Ready(Service service, ModuleDescription module, Kind kind, String detail) {}
+  /**
+   * A module that is registered as it is described, and does not run as it was before.
+   *
+   * @param isOther whether it was not described so before, in this group
+   */
+  private record Ready(
+      Service service, ModuleDescription module, boolean isOther, Kind kind, String detail) {}
 
   private Ready ready(ActivationGroupID groupId, String group, ModuleDescription module)
       throws ActivationException, IOException {
@@ -309,7 +330,12 @@ final class BringUp {
     boolean wasActive = here.isPresent() && isActive(groupId, here.get().id());
     ActivationID id = loader.module(groupId, group, activation);
     if (here.isPresent() && !changes.isEmpty()) {
-      moduleEnd.deactivate(here.get()); // whoever started it meanwhile did so as described before
+      try {
+        moduleEnd.deactivate(here.get()); // whoever started it meanwhile did so as described before
+      } catch (NotEndedException e) {
+        loader.module(groupId, group, here.get().activation()); // as which it works on
+        throw e;
+      }
     }
     String detail =
         moved.containsKey(module.name())
@@ -318,6 +344,7 @@ final class BringUp {
     return new Ready(
         new Service(module.path(), group, id),
         module,
+        here.isEmpty() || !changes.isEmpty(),
         kind(module.name(), wasActive, changes),
         detail);
   }

@@ -16,15 +16,24 @@ final class CrashHistory {
 
   private final RestartPolicy policy;
   private final LongSupplier nanos;
-  private final ArrayDeque<Crash> recent = new ArrayDeque<>();
+  private final ArrayDeque<End> recent = new ArrayDeque<>();
   private int total;
   private @Nullable String last;
   private boolean isHeldOff;
   private long heldOffUntil; // nanos; means nothing unless isHeldOff
   private boolean lastWorked;
 
-  /** A crash, and whether it counts towards the limit. */
-  private record Crash(long nanos, boolean counts) {}
+  /**
+   * An end.
+   *
+   * @param counts whether it makes the delay of the next start longer
+   * @param isAskedFor whether it is no crash: then it does not count towards the limit
+   */
+  private record End(long nanos, boolean counts, boolean isAskedFor) {
+    boolean isCrash() {
+      return !isAskedFor;
+    }
+  }
 
   /**
    * @param nanos monotonic time in nanoseconds, such as {@link System#nanoTime}
@@ -44,17 +53,26 @@ final class CrashHistory {
     long now = nanos.getAsLong();
     forgetOld(now);
     lastWorked = worked;
-    recent.addLast(new Crash(now, !lastWorked));
+    recent.addLast(new End(now, !lastWorked, false));
     total++;
     last = how;
-    if (!lastWorked && counted() >= policy.limit()) {
+    if (!lastWorked
+        && recent.stream().filter(End::counts).filter(End::isCrash).count() >= policy.limit()) {
       isHeldOff = true;
       heldOffUntil = now + policy.holdOff().toNanos();
     }
   }
 
+  /** Notes an end that somebody asked for. */
+  void askedToEnd(boolean worked) {
+    long now = nanos.getAsLong();
+    forgetOld(now);
+    lastWorked = worked;
+    recent.addLast(new End(now, !worked, true));
+  }
+
   private int counted() {
-    return (int) recent.stream().filter(Crash::counts).count();
+    return (int) recent.stream().filter(End::counts).count();
   }
 
   /**
@@ -78,7 +96,7 @@ final class CrashHistory {
   /** Crashes within the window, whether they count towards the limit or not. */
   int recentCount() {
     forgetOld(nanos.getAsLong());
-    return recent.size();
+    return (int) recent.stream().filter(End::isCrash).count();
   }
 
   /** Crashes since the daemon started. */

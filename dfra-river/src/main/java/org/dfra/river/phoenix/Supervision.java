@@ -47,7 +47,9 @@ final class Supervision {
       LOG.info("Group {} {}.", group.name, how);
       return;
     }
-    if (!end.isAskedFor()) { // else it is only started again
+    if (end.isAskedFor()) {
+      crashes.askedToEnd(worked);
+    } else {
       crashes.crashed(how, worked);
     }
     LOG.warn("Group {} {} ({} crashes lately).", group.name, how, crashes.recentCount());

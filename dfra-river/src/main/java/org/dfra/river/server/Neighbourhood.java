@@ -6,15 +6,16 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.directory.OwnRobotDirectory;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one module finds others by: a directory of the lookup services that it joins itself. It is
- * opened when the module first asks, and shared by all modules of this virtual machine that join
- * the same ones.
+ * What one module finds others by: a directory of the lookup services that it joins itself, in
+ * which no other robot of its own robot's name counts as its own. It is opened when the module
+ * first asks, and shared by all modules of this virtual machine that join the same ones.
  */
 final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
 
@@ -30,12 +31,16 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
   private static final Map<DirectorySettings, Shared> OPEN = new HashMap<>(); // guarded by itself
 
   private final String module;
+  private final String robot;
+  private final String host;
   private final DirectorySettings settings;
   private @Nullable Shared used; // guarded by OPEN
   private boolean closed; // guarded by OPEN
 
   Neighbourhood(ModuleActivation activation) {
     this.module = activation.module().path();
+    this.robot = activation.module().robot();
+    this.host = activation.host();
     this.settings =
         DirectorySettings.of(activation.host(), activation.lookupGroups(), activation.locators());
   }
@@ -50,7 +55,7 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
     synchronized (OPEN) {
       Shared shared = used;
       if (shared != null) {
-        return shared.directory;
+        return own(shared);
       }
       if (closed) {
         throw new IllegalStateException(module + " has ended and looks for no other modules");
@@ -62,8 +67,12 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
       }
       shared.users++;
       used = shared;
-      return shared.directory;
+      return own(shared);
     }
+  }
+
+  private ModuleDirectory own(Shared shared) {
+    return new OwnRobotDirectory(shared.directory, robot, host);
   }
 
   private JiniModuleDirectory open() {

@@ -110,6 +110,19 @@ class RestartPolicyTest {
   }
 
   @Test
+  void whoIsAskedToEndIsDelayedButNeverHeldOff() {
+    for (int end = 0; end < 20; end++) {
+      history.askedToEnd(false);
+      assertThat(history.heldOffFor()).isEmpty();
+    }
+    assertThat(history.total()).isZero();
+    assertThat(history.recentCount()).isZero();
+    assertThat(history.restartDelay().orElseThrow()).isPositive();
+    history.askedToEnd(true);
+    assertThat(history.restartDelay()).contains(Duration.ZERO);
+  }
+
+  @Test
   void workingInBetweenDoesNotHideACrashLoop() {
     for (int crash = 0; crash < 3; crash++) {
       history.crashed("ended", false);

@@ -1,0 +1,75 @@
+package org.dfra.core.directory;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.directory.Condition;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Persona;
+import org.dfra.directory.Watch;
+import org.dfra.module.Module;
+import org.dfra.persona.ModuleAttributes;
+
+/**
+ * What a module finds others by: who asks for modules of its own robot gets those of its own host.
+ * Another robot of that name in the team is another robot, whose wheels are not to be moved and
+ * whose position is not to be believed.
+ */
+public final class OwnRobotDirectory implements ModuleDirectory {
+
+  private final ModuleDirectory all;
+  private final String robot;
+  private final String host;
+
+  /**
+   * @param all what is known of all robots; closed with this
+   * @param robot the module's own
+   * @param host address or name of the computer that this runs on, as {@link ModuleAttributes#host}
+   *     has it
+   */
+  public OwnRobotDirectory(ModuleDirectory all, String robot, String host) {
+    this.all = all;
+    this.robot = robot;
+    this.host = host;
+  }
+
+  private <M extends Module> ModuleQuery<M> own(ModuleQuery<M> query) {
+    return query.robot().filter(robot::equals).isPresent()
+        ? query.where(ModuleAttributes.class, "host", Condition.equalTo(host))
+        : query;
+  }
+
+  @Override
+  public <M extends Module> List<ModuleListing<M>> find(ModuleQuery<M> query) {
+    return all.find(own(query));
+  }
+
+  @Override
+  public <M extends Module> Optional<ModuleListing<M>> findFirst(
+      ModuleQuery<M> query, Duration patience) throws InterruptedException {
+    return all.findFirst(own(query), patience);
+  }
+
+  @Override
+  public <M extends Module> Watch listen(ModuleQuery<M> query, DirectoryListener<M> listener) {
+    return all.listen(own(query), listener);
+  }
+
+  @Override
+  public List<Persona> personas() {
+    return all.personas();
+  }
+
+  @Override
+  public <M extends Module> M proxyFor(ModuleQuery<M> query) {
+    return all.proxyFor(own(query));
+  }
+
+  @Override
+  public void close() {
+    all.close();
+  }
+}
