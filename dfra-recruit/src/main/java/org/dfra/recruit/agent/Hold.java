@@ -84,6 +84,7 @@ final class Hold {
   private final Set<String> behaviors = new TreeSet<>();
 
   private boolean isSettled; // guarded by this
+  private boolean isLetGo; // guarded by this; before it was settled, see #end
   private long startNanos; // guarded by this; when this process began to look for them
 
   Hold(ModuleContext context, Senses senses, Logger log) {
@@ -222,7 +223,7 @@ final class Hold {
   /** Holds the lock. It looks no longer without saying so. */
   private Optional<String> notSettled() {
     boolean isOverdue = context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
-    if (isSettled || !isOverdue) {
+    if (isSettled || isLetGo || !isOverdue) {
       return Optional.empty();
     }
     Set<String> missing = missing();
@@ -328,15 +329,20 @@ final class Hold {
       }
     }
     synchronized (this) {
-      isSettled |= asked.containsAll(behaviors);
+      isSettled |= !isLetGo && asked.containsAll(behaviors);
       if (!isSettled) {
-        throw new NotReadyException(
-            context.path(),
-            Readiness.INITIALIZING,
-            "it does not find " + String.join(", ", missing()) + " yet");
+        throw new NotReadyException(context.path(), Readiness.INITIALIZING, unsettled());
       }
     }
     return Optional.empty();
+  }
+
+  /** Holds the lock. Why it is not settled now, as a clause. */
+  private String unsettled() {
+    Set<String> missing = missing();
+    return missing.isEmpty()
+        ? "it has not given up yet what waited"
+        : "it does not find " + String.join(", ", missing) + " yet";
   }
 
   /** The last stop of an effector that a person has dealt with, or it first saw; null for none. */
@@ -361,13 +367,21 @@ final class Hold {
     }
   }
 
-  /** A person lets it go on. An emergency stop that is not released holds it nevertheless. */
+  /**
+   * A person lets it go on. An emergency stop that is not released holds it nevertheless. Where it
+   * was not settled, something may wait for that, and it stays so until {@link #settleByPerson}.
+   */
   synchronized void end() {
-    isSettled = true;
+    isLetGo |= !isSettled;
     behaviors.retainAll(listed());
     boolean unused = end(Instant.MAX);
     keep();
     log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));
+  }
+
+  /** What waited for it has been given up: the person who let it go on moves nothing by that. */
+  synchronized void settleByPerson() {
+    isSettled = true;
   }
 
   private synchronized boolean end(Instant until) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.HomeGoal;
+import org.dfra.core.behavior.Progress;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.recruit.agent.BodyModules.Homing;
 import org.junit.jupiter.api.AfterEach;
@@ -148,6 +149,73 @@ class RestartedAgentTest extends BodyFixture {
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     assertThat(body.hold()).isEmpty();
     modules.show(homing);
+  }
+
+  /** It may have been asked to come before its process died. */
+  @Test
+  void aLegThatWaitsIsGivenUpWhereAPersonEndsTheHold() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(search);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(told).as("it waits").isEmpty();
+    body.endHold();
+    modules.show(search);
+    modules.step(2);
+    assertThat(driver.status().phase()).as("nothing moves").isEqualTo(Phase.CANCELLED);
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0)).contains("waits for the next call");
+    body.resume();
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    search.resume();
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(driver.status().phase()).as("the next call").isEqualTo(Phase.RUNNING);
+  }
+
+  /** What drives the leg of the dead process is not found either. */
+  @Test
+  void aLegThatIsNotFoundYetIsEndedWhereAPersonEndsTheHold() {
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(driver);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    body.endHold();
+    assertThat(told).hasSize(1);
+    modules.show(driver);
+    modules.step(2);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+  }
+
+  /** A behaviour held it when its agent started, so the agent had not asked all of them. */
+  @Test
+  void whereAPersonEndedTheHoldTheSearchGoesOnAfterTheNextTrip() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    search.pause();
+    modules.step(1);
+    body.close();
+    body = body();
+    body.resume(); // as an agent does that helps nobody
+    modules.step(2);
+    body.endHold();
+    search.resume();
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    driver.progress = Progress.reached("it is there");
+    modules.step(1);
+    assertThat(told).containsExactly("arrived");
+    body.resume();
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
 
   /** What a dead process would have been told. */
