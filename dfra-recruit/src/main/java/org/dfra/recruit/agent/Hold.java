@@ -35,8 +35,9 @@ import org.slf4j.Logger;
  * where it happened while the agent's process was dead.
  *
  * <p>A new process finds the robot's modules one after the other. As long as it has not asked all
- * of the behaviours that the robot is known to have, nobody knows whether somebody stopped one of
- * them: nothing moves for it until it is {@linkplain #isSettled settled}.
+ * of the behaviours that the robot is known to have, and seen all of its effectors, nobody knows
+ * whether somebody stopped one of them: nothing moves for it until it is {@linkplain #isSettled
+ * settled}. Where an earlier version wrote down none of them, it looks for {@link #SETTLING}.
  *
  * <p>Thread-safe. Asking needs no network, but for {@link #ask}.
  */
@@ -54,10 +55,10 @@ final class Hold {
   /** In the document it stands where others have a module's path. */
   private static final String TRIP = "-";
 
-  /** Before a behaviour that the robot has, in the document. */
+  /** Before a behaviour or an effector that the robot has, in the document. */
   private static final String HAS = "+";
 
-  /** For how long a new process looks for the behaviours before it says that one is missing. */
+  /** For how long a new process looks for the modules before it says that one is missing. */
   static final Duration SETTLING = Duration.ofSeconds(10);
 
   private final ModuleContext context;
@@ -80,8 +81,11 @@ final class Hold {
 
   private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
 
-  /** The behaviours that the robot is known to have, by path; guarded by this. */
-  private final Set<String> behaviors = new TreeSet<>();
+  /** The behaviours and effectors that the robot is known to have, by path; guarded by this. */
+  private final Set<String> modules = new TreeSet<>();
+
+  /** Guarded by this; something is to go on, and nobody knows which modules the robot has. */
+  private boolean isUnlisted;
 
   private boolean isSettled; // guarded by this
   private boolean isLetGo; // guarded by this; before it was settled, see #end
@@ -93,9 +97,19 @@ final class Hold {
     this.log = log;
   }
 
-  /** Knows again what an earlier process has written down; it is settled when it has asked. */
-  synchronized void recall() {
+  /**
+   * Knows again what an earlier process has written down; it is settled when it has asked.
+   *
+   * @param isHeir whether there is something that an earlier process began or left
+   */
+  synchronized void recall(boolean isHeir) {
     startNanos = context.robotTime().nanos();
+    recall();
+    isUnlisted = isHeir && modules.isEmpty();
+  }
+
+  /** Holds the lock. */
+  private void recall() {
     try {
       String text =
           new String(context.state().read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
@@ -117,7 +131,7 @@ final class Hold {
       String[] reason = line[1].split(" ", 2);
       last = new Reason(reason[0], reason[reason.length - 1]);
     } else if (line[0].equals(HAS)) {
-      behaviors.add(line[1]);
+      modules.add(line[1]);
     } else {
       ended.put(line[0], line[1]);
     }
@@ -134,7 +148,7 @@ final class Hold {
     if (reason != null) {
       text.append(LAST + " " + reason.path() + " " + reason.why().replace('\n', ' ') + "\n");
     }
-    behaviors.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
+    modules.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
     try {
       context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
@@ -149,7 +163,7 @@ final class Hold {
    * does.
    */
   synchronized void look() {
-    boolean isNews = behaviors.addAll(listed());
+    boolean isNews = modules.addAll(listed());
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       String known = stop.latched() ? STOPPED : text(stop.since());
@@ -170,8 +184,7 @@ final class Hold {
 
   /** Holds the lock. In a new process nothing is found at first. */
   private boolean isFound(String path) {
-    return Stream.concat(senses.movers().stream(), senses.behaviors().stream())
-        .anyMatch(each -> each.path().equals(path));
+    return listed().contains(path);
   }
 
   private static StopAttributes stop(ModuleListing<?> mover) {
@@ -185,7 +198,7 @@ final class Hold {
   }
 
   private Set<String> listed() {
-    return senses.behaviors().stream()
+    return Stream.concat(senses.movers().stream(), senses.behaviors().stream())
         .map(ModuleListing::path)
         .collect(Collectors.toCollection(TreeSet::new));
   }
@@ -201,8 +214,8 @@ final class Hold {
   }
 
   /**
-   * Whether this process has asked all the behaviours that the robot is known to have, or a person
-   * has let it go on without that.
+   * Whether this process has asked all the behaviours that the robot is known to have, and found
+   * all of its effectors, or a person has let it go on without that.
    */
   synchronized boolean isSettled() {
     return isSettled;
@@ -222,8 +235,7 @@ final class Hold {
 
   /** Holds the lock. It looks no longer without saying so. */
   private Optional<String> notSettled() {
-    boolean isOverdue = context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
-    if (isSettled || isLetGo || !isOverdue) {
+    if (isSettled || isLetGo || !isOverdue()) {
       return Optional.empty();
     }
     Set<String> missing = missing();
@@ -239,8 +251,13 @@ final class Hold {
   }
 
   /** Holds the lock. */
+  private boolean isOverdue() {
+    return context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
+  }
+
+  /** Holds the lock. */
   private Set<String> missing() {
-    Set<String> missing = new TreeSet<>(behaviors);
+    Set<String> missing = new TreeSet<>(modules);
     missing.removeAll(listed());
     return missing;
   }
@@ -317,6 +334,7 @@ final class Hold {
 
   private Optional<String> askEach() throws RemoteException {
     Set<String> asked = new TreeSet<>();
+    senses.movers().forEach(each -> asked.add(each.path())); // their personas say how they are
     for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
       @Nullable Instant since = each.module().status().heldSince();
       asked.add(each.path());
@@ -329,7 +347,8 @@ final class Hold {
       }
     }
     synchronized (this) {
-      isSettled |= !isLetGo && asked.containsAll(behaviors);
+      boolean isTime = !isLetGo && (!isUnlisted || isOverdue());
+      isSettled |= isTime && asked.containsAll(modules);
       if (!isSettled) {
         throw new NotReadyException(context.path(), Readiness.INITIALIZING, unsettled());
       }
@@ -341,7 +360,7 @@ final class Hold {
   private String unsettled() {
     Set<String> missing = missing();
     return missing.isEmpty()
-        ? "it has not given up yet what waited"
+        ? "it does not know yet whether it has found all that may have been stopped"
         : "it does not find " + String.join(", ", missing) + " yet";
   }
 
@@ -373,7 +392,7 @@ final class Hold {
    */
   synchronized void end() {
     isLetGo |= !isSettled;
-    behaviors.retainAll(listed());
+    modules.retainAll(listed());
     boolean unused = end(Instant.MAX);
     keep();
     log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));

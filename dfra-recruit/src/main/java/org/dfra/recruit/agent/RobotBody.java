@@ -55,10 +55,10 @@ final class RobotBody implements Body, AutoCloseable {
   }
 
   void start() {
-    hold.recall();
-    isStarted = true;
     work.recall();
     trip.recall();
+    hold.recall(work.hasLeft() || !trip.isSettled());
+    isStarted = true;
     isEnding = !trip.isSettled();
     errands.now(this::watchHold);
     senses.start();

@@ -2,6 +2,7 @@ package org.dfra.recruit.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +14,8 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.recruit.agent.BodyModules.Homing;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A new process of an agent moves nothing before it has asked all that may have been stopped. */
 class RestartedAgentTest extends BodyFixture {
@@ -216,6 +219,35 @@ class RestartedAgentTest extends BodyFixture {
     body.resume();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  /** Its dead process was of a version that did not write down which modules its robot has. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void afterAnUpgradeWhatItLeftWaitsUntilItHasLookedForLongEnough(boolean isStopped)
+      throws IOException {
+    Homing homing = modules.add(new Homing(modules.context("return_home")));
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    body.close();
+    modules.context("agent").state().write("hold", new byte[0]);
+    restartWithout(homing);
+    if (isStopped) {
+      UUID home = homing.pursue(new HomeGoal(1));
+      homing.pause();
+      assertThat(homing.status().goal()).isEqualTo(home);
+    }
+    body.resume();
+    modules.step(5);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(isFree()).as("it answers no call").isFalse();
+    modules.show(homing);
+    modules.step(4);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    modules.step(3);
+    assertThat(search.status().phase()).isEqualTo(isStopped ? Phase.PAUSED : Phase.RUNNING);
   }
 
   /** What a dead process would have been told. */
