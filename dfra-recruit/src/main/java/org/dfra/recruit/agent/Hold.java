@@ -87,6 +87,7 @@ final class Hold {
   /** Guarded by this; something is to go on, and nobody knows which modules the robot has. */
   private boolean isUnlisted;
 
+  private @Nullable String silent; // guarded by this; a behaviour that did not answer, by path
   private boolean isSettled; // guarded by this
   private boolean isLetGo; // guarded by this; before it was settled, see #end
   private long startNanos; // guarded by this; when this process began to look for them
@@ -239,15 +240,22 @@ final class Hold {
       return Optional.empty();
     }
     Set<String> missing = missing();
-    return Optional.of(
-        missing.isEmpty()
-            ? "one of its behaviours does not answer its agent's new process, so nobody knows"
-                + " whether somebody stopped it"
-            : "its agent's new process does not find "
-                + String.join(", ", missing)
-                + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
-                + " on by ./dfra recruit resume "
-                + context.robot());
+    if (!missing.isEmpty()) {
+      return Optional.of(
+          "its agent's new process does not find "
+              + String.join(", ", missing)
+              + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
+              + " on by ./dfra recruit resume "
+              + context.robot());
+    }
+    return Optional.ofNullable(silent) // otherwise it is settled as soon as it asks again
+        .map(
+            path ->
+                path
+                    + " does not answer its agent's new process, so nobody knows whether somebody"
+                    + " stopped it; where its computer is in reach, have its group start anew there"
+                    + " by ./dfra module kill "
+                    + path);
   }
 
   /** Holds the lock. */
@@ -336,7 +344,7 @@ final class Hold {
     Set<String> asked = new TreeSet<>();
     senses.movers().forEach(each -> asked.add(each.path())); // their personas say how they are
     for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
-      @Nullable Instant since = each.module().status().heldSince();
+      @Nullable Instant since = answer(each).heldSince();
       asked.add(each.path());
       Optional<String> held;
       synchronized (this) {
@@ -349,11 +357,24 @@ final class Hold {
     synchronized (this) {
       boolean isTime = !isLetGo && (!isUnlisted || isOverdue());
       isSettled |= isTime && asked.containsAll(modules);
+      silent = null;
       if (!isSettled) {
         throw new NotReadyException(context.path(), Readiness.INITIALIZING, unsettled());
       }
     }
     return Optional.empty();
+  }
+
+  private BehaviorStatus answer(ModuleListing<? extends Behavior<?>> behavior)
+      throws RemoteException {
+    try {
+      return behavior.module().status();
+    } catch (RemoteException | NotReadyException e) {
+      synchronized (this) {
+        silent = behavior.path();
+      }
+      throw e;
+    }
   }
 
   /** Holds the lock. Why it is not settled now, as a clause. */

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.HomeGoal;
+import org.dfra.behavior.ReturnHome;
 import org.dfra.core.behavior.Progress;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.recruit.agent.BodyModules.Homing;
@@ -115,6 +116,28 @@ class RestartedAgentTest extends BodyFixture {
     body = body();
     assertThat(isFree()).as("what was removed is not missed again").isTrue();
     modules.show(search);
+  }
+
+  @Test
+  void itNamesTheBehaviourThatDoesNotAnswerAndWhatToDo() {
+    UUID id = UUID.randomUUID();
+    body.close();
+    modules.list(id, "return_home", BodyModules.stub(ReturnHome.class, () -> {}));
+    body = body();
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(9);
+    assertThat(told).isEmpty();
+    modules.step(2);
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0))
+        .contains("ugv1/return_home does not answer", "./dfra module kill ugv1/return_home");
+    assertThat(body.hold()).hasValue(told.get(0));
+    modules.directory.remove(id);
+    assertThat(body.hold().orElseThrow()).contains("does not find ugv1/return_home");
+    Homing again = modules.add(new Homing(modules.context("return_home")));
+    modules.step(1);
+    assertThat(body.hold()).as("it answers").isEmpty();
+    assertThat(again.goal).isNull();
   }
 
   @Test
