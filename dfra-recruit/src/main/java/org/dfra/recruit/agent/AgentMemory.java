@@ -99,9 +99,25 @@ final class AgentMemory {
   /**
    * What was kept. The agent's clock goes on from there.
    *
-   * @throws IOException if it cannot be read, or is something else
+   * @throws IOException if it cannot be read, or is something else, or if it is not known in which
+   *     boot this is; then {@link #recallWithoutSpans} may know some of it
    */
   Optional<AgentSnapshot> recall() throws IOException {
+    Optional<Kept> kept = read();
+    return kept.isEmpty() ? Optional.empty() : Optional.of(goOn(kept.get()));
+  }
+
+  /**
+   * What must not be repeated of what was kept, as {@linkplain AgentSnapshot#afterAnotherBoot after
+   * another boot}: where nobody knows whether this is another.
+   *
+   * @throws IOException if it cannot be read, or is something else
+   */
+  Optional<AgentSnapshot> recallWithoutSpans() throws IOException {
+    return read().map(this::withoutSpans);
+  }
+
+  private Optional<Kept> read() throws IOException {
     Optional<byte[]> kept = state.read(DOCUMENT);
     if (kept.isEmpty()) {
       return Optional.empty();
@@ -110,10 +126,10 @@ final class AgentMemory {
       in.setObjectInputFilter(SNAPSHOTS);
       Object found = in.readObject();
       if (found instanceof Kept last) {
-        return Optional.of(goOn(last));
+        return Optional.of(last);
       }
       if (found instanceof AgentSnapshot snapshot) { // of an earlier version, by the wall clock
-        return Optional.of(snapshot.afterAnotherBoot());
+        return Optional.of(new Kept("", 0, context.clock().instant(), snapshot));
       }
       throw new InvalidObjectException("what was kept of the agent is something else");
     } catch (ClassNotFoundException | RuntimeException e) {
@@ -124,12 +140,17 @@ final class AgentMemory {
   private AgentSnapshot goOn(Kept last) throws IOException {
     long passed = sinceBoot() - last.sinceBoot();
     boolean isSameTime = !last.origin().isEmpty() && last.origin().equals(origin()) && passed >= 0;
+    if (!isSameTime) {
+      return withoutSpans(last);
+    }
+    clock = new SteadyClock(last.time().plusNanos(passed), context.robotTime());
+    return last.snapshot();
+  }
+
+  private AgentSnapshot withoutSpans(Kept last) {
     Instant wall = context.clock().instant();
-    Instant now =
-        isSameTime
-            ? last.time().plusNanos(passed)
-            : wall.isAfter(last.time()) ? wall : last.time(); // letters' numbers go by it, and grow
+    Instant now = wall.isAfter(last.time()) ? wall : last.time(); // letters' numbers go by it
     clock = new SteadyClock(now, context.robotTime());
-    return isSameTime ? last.snapshot() : last.snapshot().afterAnotherBoot();
+    return last.snapshot().afterAnotherBoot();
   }
 }

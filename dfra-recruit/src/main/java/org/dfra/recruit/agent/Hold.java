@@ -35,8 +35,9 @@ import org.slf4j.Logger;
  * where it happened while the agent's process was dead.
  *
  * <p>A new process finds the robot's modules one after the other. As long as it has not asked all
- * of the behaviours that the robot is known to have, nobody knows whether somebody stopped one of
- * them: nothing moves for it until it is {@linkplain #isSettled settled}.
+ * of the behaviours that the robot is known to have, and seen all of its effectors, nobody knows
+ * whether somebody stopped one of them: nothing moves for it until it is {@linkplain #isSettled
+ * settled}. Where an earlier version wrote down none of them, it looks for {@link #SETTLING}.
  *
  * <p>Thread-safe. Asking needs no network, but for {@link #ask}.
  */
@@ -54,10 +55,10 @@ final class Hold {
   /** In the document it stands where others have a module's path. */
   private static final String TRIP = "-";
 
-  /** Before a behaviour that the robot has, in the document. */
+  /** Before a behaviour or an effector that the robot has, in the document. */
   private static final String HAS = "+";
 
-  /** For how long a new process looks for the behaviours before it says that one is missing. */
+  /** For how long a new process looks for the modules before it says that one is missing. */
   static final Duration SETTLING = Duration.ofSeconds(10);
 
   private final ModuleContext context;
@@ -80,10 +81,15 @@ final class Hold {
 
   private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
 
-  /** The behaviours that the robot is known to have, by path; guarded by this. */
-  private final Set<String> behaviors = new TreeSet<>();
+  /** The behaviours and effectors that the robot is known to have, by path; guarded by this. */
+  private final Set<String> modules = new TreeSet<>();
 
+  /** Guarded by this; something is to go on, and nobody knows which modules the robot has. */
+  private boolean isUnlisted;
+
+  private @Nullable String silent; // guarded by this; a behaviour that did not answer, by path
   private boolean isSettled; // guarded by this
+  private boolean isLetGo; // guarded by this; before it was settled, see #end
   private long startNanos; // guarded by this; when this process began to look for them
 
   Hold(ModuleContext context, Senses senses, Logger log) {
@@ -92,9 +98,19 @@ final class Hold {
     this.log = log;
   }
 
-  /** Knows again what an earlier process has written down; it is settled when it has asked. */
-  synchronized void recall() {
+  /**
+   * Knows again what an earlier process has written down; it is settled when it has asked.
+   *
+   * @param isHeir whether there is something that an earlier process began or left
+   */
+  synchronized void recall(boolean isHeir) {
     startNanos = context.robotTime().nanos();
+    recall();
+    isUnlisted = isHeir && modules.isEmpty();
+  }
+
+  /** Holds the lock. */
+  private void recall() {
     try {
       String text =
           new String(context.state().read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
@@ -116,7 +132,7 @@ final class Hold {
       String[] reason = line[1].split(" ", 2);
       last = new Reason(reason[0], reason[reason.length - 1]);
     } else if (line[0].equals(HAS)) {
-      behaviors.add(line[1]);
+      modules.add(line[1]);
     } else {
       ended.put(line[0], line[1]);
     }
@@ -133,7 +149,7 @@ final class Hold {
     if (reason != null) {
       text.append(LAST + " " + reason.path() + " " + reason.why().replace('\n', ' ') + "\n");
     }
-    behaviors.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
+    modules.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
     try {
       context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
@@ -148,7 +164,7 @@ final class Hold {
    * does.
    */
   synchronized void look() {
-    boolean isNews = behaviors.addAll(listed());
+    boolean isNews = modules.addAll(listed());
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       String known = stop.latched() ? STOPPED : text(stop.since());
@@ -169,8 +185,7 @@ final class Hold {
 
   /** Holds the lock. In a new process nothing is found at first. */
   private boolean isFound(String path) {
-    return Stream.concat(senses.movers().stream(), senses.behaviors().stream())
-        .anyMatch(each -> each.path().equals(path));
+    return listed().contains(path);
   }
 
   private static StopAttributes stop(ModuleListing<?> mover) {
@@ -184,7 +199,7 @@ final class Hold {
   }
 
   private Set<String> listed() {
-    return senses.behaviors().stream()
+    return Stream.concat(senses.movers().stream(), senses.behaviors().stream())
         .map(ModuleListing::path)
         .collect(Collectors.toCollection(TreeSet::new));
   }
@@ -200,8 +215,8 @@ final class Hold {
   }
 
   /**
-   * Whether this process has asked all the behaviours that the robot is known to have, or a person
-   * has let it go on without that.
+   * Whether this process has asked all the behaviours that the robot is known to have, and found
+   * all of its effectors, or a person has let it go on without that.
    */
   synchronized boolean isSettled() {
     return isSettled;
@@ -221,25 +236,36 @@ final class Hold {
 
   /** Holds the lock. It looks no longer without saying so. */
   private Optional<String> notSettled() {
-    boolean isOverdue = context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
-    if (isSettled || !isOverdue) {
+    if (isSettled || isLetGo || !isOverdue()) {
       return Optional.empty();
     }
     Set<String> missing = missing();
-    return Optional.of(
-        missing.isEmpty()
-            ? "one of its behaviours does not answer its agent's new process, so nobody knows"
-                + " whether somebody stopped it"
-            : "its agent's new process does not find "
-                + String.join(", ", missing)
-                + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
-                + " on by ./dfra recruit resume "
-                + context.robot());
+    if (!missing.isEmpty()) {
+      return Optional.of(
+          "its agent's new process does not find "
+              + String.join(", ", missing)
+              + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
+              + " on by ./dfra recruit resume "
+              + context.robot());
+    }
+    return Optional.ofNullable(silent) // otherwise it is settled as soon as it asks again
+        .map(
+            path ->
+                path
+                    + " does not answer its agent's new process, so nobody knows whether somebody"
+                    + " stopped it; where its computer is in reach, have its group start anew there"
+                    + " by ./dfra module kill "
+                    + path);
+  }
+
+  /** Holds the lock. */
+  private boolean isOverdue() {
+    return context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
   }
 
   /** Holds the lock. */
   private Set<String> missing() {
-    Set<String> missing = new TreeSet<>(behaviors);
+    Set<String> missing = new TreeSet<>(modules);
     missing.removeAll(listed());
     return missing;
   }
@@ -316,8 +342,9 @@ final class Hold {
 
   private Optional<String> askEach() throws RemoteException {
     Set<String> asked = new TreeSet<>();
+    senses.movers().forEach(each -> asked.add(each.path())); // their personas say how they are
     for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
-      @Nullable Instant since = each.module().status().heldSince();
+      @Nullable Instant since = answer(each).heldSince();
       asked.add(each.path());
       Optional<String> held;
       synchronized (this) {
@@ -328,15 +355,34 @@ final class Hold {
       }
     }
     synchronized (this) {
-      isSettled |= asked.containsAll(behaviors);
+      boolean isTime = !isLetGo && (!isUnlisted || isOverdue());
+      isSettled |= isTime && asked.containsAll(modules);
+      silent = null;
       if (!isSettled) {
-        throw new NotReadyException(
-            context.path(),
-            Readiness.INITIALIZING,
-            "it does not find " + String.join(", ", missing()) + " yet");
+        throw new NotReadyException(context.path(), Readiness.INITIALIZING, unsettled());
       }
     }
     return Optional.empty();
+  }
+
+  private BehaviorStatus answer(ModuleListing<? extends Behavior<?>> behavior)
+      throws RemoteException {
+    try {
+      return behavior.module().status();
+    } catch (RemoteException | NotReadyException e) {
+      synchronized (this) {
+        silent = behavior.path();
+      }
+      throw e;
+    }
+  }
+
+  /** Holds the lock. Why it is not settled now, as a clause. */
+  private String unsettled() {
+    Set<String> missing = missing();
+    return missing.isEmpty()
+        ? "it does not know yet whether it has found all that may have been stopped"
+        : "it does not find " + String.join(", ", missing) + " yet";
   }
 
   /** The last stop of an effector that a person has dealt with, or it first saw; null for none. */
@@ -361,13 +407,21 @@ final class Hold {
     }
   }
 
-  /** A person lets it go on. An emergency stop that is not released holds it nevertheless. */
+  /**
+   * A person lets it go on. An emergency stop that is not released holds it nevertheless. Where it
+   * was not settled, something may wait for that, and it stays so until {@link #settleByPerson}.
+   */
   synchronized void end() {
-    isSettled = true;
-    behaviors.retainAll(listed());
+    isLetGo |= !isSettled;
+    modules.retainAll(listed());
     boolean unused = end(Instant.MAX);
     keep();
     log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));
+  }
+
+  /** What waited for it has been given up: the person who let it go on moves nothing by that. */
+  synchronized void settleByPerson() {
+    isSettled = true;
   }
 
   private synchronized boolean end(Instant until) {

@@ -42,6 +42,11 @@ final class LeftWork {
     }
   }
 
+  /** Whether there are some, which it does not leave to people. */
+  boolean hasLeft() {
+    return !left.isEmpty();
+  }
+
   private void keep() {
     try {
       context.state().write(DOCUMENT, String.join("\n", left).getBytes(StandardCharsets.UTF_8));

@@ -100,6 +100,11 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
    * @param extra hears of everything that it does
    */
   public RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra) {
+    this(context, extra, BootId.system());
+  }
+
+  /** For tests: on another computer. */
+  RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra, BootId boot) {
     super(lasting(context), "asks other robots for help, and helps", "DFRA", "1");
     this.context = context;
     this.extra = extra;
@@ -118,7 +123,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     this.mode = messages.equals("unicast") ? MessageMode.UNICAST : MessageMode.BROADCAST;
     this.body = new RobotBody(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
-    this.memory = new AgentMemory(context, BootId.system());
+    this.memory = new AgentMemory(context, boot);
     this.agreement = new TeamAgreement(context, said(null), log);
     declared()
         .show(
@@ -141,13 +146,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   @Override
   protected void onStart() {
     body.start();
-    Optional<AgentSnapshot> kept = Optional.empty();
-    try {
-      kept = memory.recall();
-    } catch (IOException e) {
-      log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
-      survived(e);
-    }
+    Optional<AgentSnapshot> kept = recalled();
     Recruiter made =
         new Recruiter(
             context.robot(),
@@ -163,6 +162,22 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     become(Readiness.READY);
     made.start();
     agreement.start();
+  }
+
+  /** What it was at, or as much of that as is known. */
+  private Optional<AgentSnapshot> recalled() {
+    try {
+      return memory.recall();
+    } catch (IOException e) {
+      log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
+      survived(e);
+    }
+    try {
+      return memory.recallWithoutSpans();
+    } catch (IOException e) {
+      log.warn("{}: it knows nothing of its earlier conversations: {}", path(), e.toString());
+      return Optional.empty();
+    }
   }
 
   @Override

@@ -35,7 +35,6 @@ final class RobotBody implements Body, AutoCloseable {
   private volatile boolean isAway; // to help, or on its way; written by errands only
   private volatile boolean isStarted; // its modules can be found
   private volatile boolean isEnding; // it may not be known yet how its last trip ended
-  private volatile boolean isLeftToPeople; // what it left; a person ended a hold meanwhile
   private volatile Runnable onHold = () -> {};
   private Optional<String> toldHold = Optional.empty(); // by errands only
   private final AtomicBoolean isClosed = new AtomicBoolean();
@@ -56,10 +55,10 @@ final class RobotBody implements Body, AutoCloseable {
   }
 
   void start() {
-    hold.recall();
-    isStarted = true;
     work.recall();
     trip.recall();
+    hold.recall(work.hasLeft() || !trip.isSettled());
+    isStarted = true;
     isEnding = !trip.isSettled();
     errands.now(this::watchHold);
     senses.start();
@@ -91,11 +90,22 @@ final class RobotBody implements Body, AutoCloseable {
     return isStarted ? hold.why() : Optional.empty();
   }
 
-  /** {@inheritDoc} That moves nothing: also not a search of which it does not know enough yet. */
+  /**
+   * {@inheritDoc} That moves nothing: also neither a leg nor a search that waits until it is known
+   * whether somebody stopped the robot.
+   */
   @Override
   public void endHold() {
-    isLeftToPeople |= !hold.isSettled();
     hold.end();
+    errands.now(this::giveUpWhatWaits); // nothing begins before that
+  }
+
+  private void giveUpWhatWaits() {
+    if (!hold.isSettled()) {
+      work.leaveToPeople();
+      hold.settleByPerson();
+      trip.giveUp("a person let the robot go on, which moves nothing; it waits for the next call");
+    }
   }
 
   /**
@@ -233,8 +243,7 @@ final class RobotBody implements Body, AutoCloseable {
 
   private boolean goOnUnlessHeld() {
     isEnding = false;
-    if (hold.why().isPresent() || isLeftToPeople) {
-      isLeftToPeople = false;
+    if (hold.why().isPresent()) {
       work.leaveToPeople();
     }
     return work.goOn();

@@ -331,6 +331,15 @@ final class Trip {
     }
   }
 
+  /** A journey that has not begun yet, or not anew, does not begin any more. */
+  void giveUp(String why) {
+    Journey waiting = journey;
+    if (waiting != null) {
+      end();
+      waiting.failed(why);
+    }
+  }
+
   /** It stands where it is, and nobody is told. */
   void end() {
     journey = null;

@@ -65,6 +65,11 @@ class AgentClockTest {
   }
 
   private RecruitmentAgentImpl agent(String robot, StateStore state, Map<String, String> texts) {
+    return agent(robot, state, texts, BootId.system());
+  }
+
+  private RecruitmentAgentImpl agent(
+      String robot, StateStore state, Map<String, String> texts, BootId boot) {
     RecruitmentAgentImpl agent =
         new RecruitmentAgentImpl(
             context(robot, state, texts),
@@ -73,7 +78,8 @@ class AgentClockTest {
               public void heard(Letter letter) {
                 heard.add(letter);
               }
-            });
+            },
+            boot);
     agent.start();
     listed.put(agent, directory.add(agent));
     time.advance(Duration.ofSeconds(1));
@@ -150,6 +156,33 @@ class AgentClockTest {
     assertThat(heard).as("it calls nobody by itself").isEmpty();
     again.help(CALL);
     time.advance(Duration.ofSeconds(1));
+    assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
+  }
+
+  /** As in a shortage of file descriptors, which is over when it keeps its next state. */
+  @Test
+  void whereTheBootCannotBeReadTheNumberOfACallIsNotForgotten() throws Exception {
+    Path file = Files.writeString(folder.resolve("boot_id"), "this one");
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of(), new BootId(file));
+    uav.help(CALL);
+    time.advance(Duration.ofSeconds(2));
+    end(uav);
+    long conversation = heard.get(0).message().conversation().number();
+    heard.clear();
+    Files.delete(file);
+    Files.createDirectory(file); // it is there, but not readable
+    RecruitmentAgentImpl again = agent("uav", kept, Map.of(), new BootId(file));
+    assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    Files.delete(file);
+    Files.writeString(file, "this one");
+    again.help(CALL);
+    time.advance(Duration.ofSeconds(1));
+    assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
+    end(again);
+    heard.clear();
+    RecruitmentAgentImpl third = agent("uav", kept, Map.of(), new BootId(file));
+    assertThat(third.status().requester()).as("it goes on").isEqualTo(RequesterPhase.CALLING);
+    time.advance(Duration.ofSeconds(20));
     assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
   }
 }

@@ -186,6 +186,16 @@ class AgentMemoryTest {
   }
 
   @Test
+  void whereTheBootCannotBeReadWhatMustNotBeRepeatedIsKnown() throws IOException {
+    memory(boot).keep(busy(BEGIN));
+    Path file = Files.createDirectory(folder.resolve("boot_id"));
+    wall = BEGIN.minusSeconds(60);
+    AgentMemory after = memory(new BootId(file));
+    assertThat(after.recallWithoutSpans()).contains(busy(BEGIN).afterAnotherBoot());
+    assertThat(after.clock().instant()).as("letters are numbered by it").isEqualTo(BEGIN);
+  }
+
+  @Test
   void theTimeOfASimulationGoesOnAtItsSpeedAndNoOtherDoes() throws IOException {
     String four = "4x since 2026-11-21T00:00:00Z";
     AgentMemory before = memory(ScaledTime.parse(four), boot);

@@ -3,6 +3,7 @@ package org.dfra.recruit.agent;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.recruit.agent.BodyModules.at;
 
+import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -14,6 +15,7 @@ import org.dfra.agent.HelpCall;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.LegGoal;
 import org.dfra.core.behavior.Progress;
+import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.recruit.agent.BodyModules.Driver;
@@ -124,6 +126,32 @@ class OrphanedTripTest extends BodyFixture {
     modules.step(1);
     assertThat(told).isEmpty();
     assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  /** Agent, wheels and what drives them have died, and the wheels are found last. */
+  @Test
+  void aTripIsNotBegunAnewBeforeItsWheelsAreFoundAgain() throws IOException {
+    StoppedDrive wheels = new StoppedDrive(modules);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    StateStore kept = modules.context("agent").state();
+    byte[] trip = kept.read("trip").orElseThrow();
+    modules.end(driver);
+    body.close();
+    kept.write("trip", trip); // as where its process is killed
+    wheels.hide();
+    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null); // released
+    Driver next = modules.add(new Driver(modules.context("go_to_waypoint")));
+    body = body();
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(3);
+    assertThat(next.goal).as("nothing is begun").isNull();
+    assertThat(told).as("it waits").isEmpty();
+    wheels.show();
+    modules.step(1);
+    assertThat(next.goal).as("nothing is begun").isNull();
+    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
   }
 
   @Test
@@ -261,10 +289,14 @@ class OrphanedTripTest extends BodyFixture {
   /** Wheels of which only their emergency stop is asked. */
   private static final class StoppedDrive {
 
+    private final BodyModules modules;
+    private final UUID id = UUID.randomUUID();
+    private final DriveEffector drive;
     private volatile StopState stop = StopState.NEVER;
 
     StoppedDrive(BodyModules modules) {
-      DriveEffector drive =
+      this.modules = modules;
+      this.drive =
           (DriveEffector)
               Proxy.newProxyInstance(
                   DriveEffector.class.getClassLoader(),
@@ -276,7 +308,15 @@ class OrphanedTripTest extends BodyFixture {
                         case "stopState" -> stop;
                         default -> throw new AssertionError(method);
                       });
-      modules.list(UUID.randomUUID(), "drive", drive);
+      show();
+    }
+
+    void show() {
+      modules.list(id, "drive", drive);
+    }
+
+    void hide() {
+      modules.directory.remove(id);
     }
   }
 

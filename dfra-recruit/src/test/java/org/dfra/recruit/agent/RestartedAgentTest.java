@@ -2,16 +2,21 @@ package org.dfra.recruit.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.HomeGoal;
+import org.dfra.behavior.ReturnHome;
+import org.dfra.core.behavior.Progress;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.recruit.agent.BodyModules.Homing;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A new process of an agent moves nothing before it has asked all that may have been stopped. */
 class RestartedAgentTest extends BodyFixture {
@@ -114,6 +119,28 @@ class RestartedAgentTest extends BodyFixture {
   }
 
   @Test
+  void itNamesTheBehaviourThatDoesNotAnswerAndWhatToDo() {
+    UUID id = UUID.randomUUID();
+    body.close();
+    modules.list(id, "return_home", BodyModules.stub(ReturnHome.class, () -> {}));
+    body = body();
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(9);
+    assertThat(told).isEmpty();
+    modules.step(2);
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0))
+        .contains("ugv1/return_home does not answer", "./dfra module kill ugv1/return_home");
+    assertThat(body.hold()).hasValue(told.get(0));
+    modules.directory.remove(id);
+    assertThat(body.hold().orElseThrow()).contains("does not find ugv1/return_home");
+    Homing again = modules.add(new Homing(modules.context("return_home")));
+    modules.step(1);
+    assertThat(body.hold()).as("it answers").isEmpty();
+    assertThat(again.goal).isNull();
+  }
+
+  @Test
   void aSearchThatItLeftDoesNotGoOnBeforeThat() throws RemoteException {
     Homing homing = modules.add(new Homing(modules.context("return_home")));
     UUID unused = search.pursue(FIELD);
@@ -148,6 +175,102 @@ class RestartedAgentTest extends BodyFixture {
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     assertThat(body.hold()).isEmpty();
     modules.show(homing);
+  }
+
+  /** It may have been asked to come before its process died. */
+  @Test
+  void aLegThatWaitsIsGivenUpWhereAPersonEndsTheHold() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(search);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(told).as("it waits").isEmpty();
+    body.endHold();
+    modules.show(search);
+    modules.step(2);
+    assertThat(driver.status().phase()).as("nothing moves").isEqualTo(Phase.CANCELLED);
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0)).contains("waits for the next call");
+    body.resume();
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    search.resume();
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(driver.status().phase()).as("the next call").isEqualTo(Phase.RUNNING);
+  }
+
+  /** What drives the leg of the dead process is not found either. */
+  @Test
+  void aLegThatIsNotFoundYetIsEndedWhereAPersonEndsTheHold() {
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    restartWithout(driver);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    body.endHold();
+    assertThat(told).hasSize(1);
+    modules.show(driver);
+    modules.step(2);
+    assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+  }
+
+  /** A behaviour held it when its agent started, so the agent had not asked all of them. */
+  @Test
+  void whereAPersonEndedTheHoldTheSearchGoesOnAfterTheNextTrip() throws RemoteException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    search.pause();
+    modules.step(1);
+    body.close();
+    body = body();
+    body.resume(); // as an agent does that helps nobody
+    modules.step(2);
+    body.endHold();
+    search.resume();
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    driver.progress = Progress.reached("it is there");
+    modules.step(1);
+    assertThat(told).containsExactly("arrived");
+    body.resume();
+    modules.step(2);
+    assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
+  }
+
+  /** Its dead process was of a version that did not write down which modules its robot has. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void afterAnUpgradeWhatItLeftWaitsUntilItHasLookedForLongEnough(boolean isStopped)
+      throws IOException {
+    Homing homing = modules.add(new Homing(modules.context("return_home")));
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    modules.step(1);
+    body.close();
+    modules.context("agent").state().write("hold", new byte[0]);
+    restartWithout(homing);
+    if (isStopped) {
+      UUID home = homing.pursue(new HomeGoal(1));
+      homing.pause();
+      assertThat(homing.status().goal()).isEqualTo(home);
+    }
+    body.resume();
+    modules.step(5);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    assertThat(isFree()).as("it answers no call").isFalse();
+    modules.show(homing);
+    modules.step(4);
+    assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
+    modules.step(3);
+    assertThat(search.status().phase()).isEqualTo(isStopped ? Phase.PAUSED : Phase.RUNNING);
   }
 
   /** What a dead process would have been told. */
