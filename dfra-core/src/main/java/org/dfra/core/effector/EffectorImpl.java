@@ -120,9 +120,27 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
-  /** On the thread for halts; whoever asks for it waits for a moment at the most. */
   private void haltSoon(Runnable task) {
-    boolean unused = halts().executeWithin(task, REST_PATIENCE);
+    boolean unused = haltWithin(task, REST_PATIENCE);
+  }
+
+  /**
+   * On the thread for halts; whoever asks for it waits for a moment at the most. Where that thread
+   * cannot be started, the caller's has to do, unless a command holds the driver up.
+   *
+   * @return whether it has ended
+   */
+  private boolean haltWithin(Runnable task, Duration patience) {
+    if (halts().isPrepared()) {
+      return halts().executeWithin(task, patience);
+    }
+    if (helm.isFreeSoon()) {
+      task.run();
+      return true;
+    }
+    heldUp();
+    halts().execute(task); // which tries again to start the thread
+    return false;
   }
 
   /** A command that is under way when the commander is lost seems to be held up. */
@@ -140,7 +158,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   @Override
   protected final void endLeases() {
     if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
-      if (!halts().executeWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
+      if (!haltWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
       return;
@@ -245,6 +263,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
                 readiness,
                 "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
           }
+          boolean unused = halts().isPrepared(); // for its end; a halt is obeyed without, too
           obey(command);
         });
   }

@@ -161,6 +161,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(path() + " cannot point there: " + e.getMessage(), e);
     }
+    halts().prepare(); // what could not be halted later is not begun
     target = wanted;
     tellUnit(
         PtuCommands.point(
