@@ -186,7 +186,10 @@ final class PtuProtocol implements DeviceProtocol {
         List.of(PtuCommands.NO_ECHO, PtuCommands.TERSE, PtuCommands.IMMEDIATELY);
     unsettled = settings.size();
     for (String setting : settings) {
-      boolean unused = dialogue.tell(setting, this::settled);
+      if (!dialogue.tell(setting, this::settled)) {
+        listen(); // another thread's write is held up; all of them once more, after it
+        return;
+      }
     }
   }
 
@@ -220,9 +223,11 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   private void poll() {
-    String wish = wishes.poll();
+    String wish = wishes.peek();
     if (wish != null) {
-      fulfil(wish);
+      if (fulfil(wish)) {
+        String unused = wishes.poll();
+      }
       return;
     }
     long period = Math.round(1e9 / rate.getAsDouble());
@@ -233,14 +238,18 @@ final class PtuProtocol implements DeviceProtocol {
     }
   }
 
-  private void fulfil(String wish) {
-    if (wish.equals(PtuCommands.RESET)) {
+  /** False where another thread's write is held up, and it is to be tried again. */
+  private boolean fulfil(String wish) {
+    if (!wish.equals(PtuCommands.RESET)) {
+      return dialogue.ask(wish, reply -> listener.answered(wish, reply));
+    }
+    if (dialogue.tell(wish, this::reset)) {
       phase = Phase.RESETTING;
       listener.resetting();
-      boolean unused = dialogue.tell(wish, this::reset);
-    } else {
-      boolean unused = dialogue.ask(wish, reply -> listener.answered(wish, reply));
+    } else { // later it might move the head under a commander, or while it is stopped
+      listener.answered(wish, new Refused("the line is held up by a command; try again later"));
     }
+    return true;
   }
 
   private void reset(PtuReply reply) {
