@@ -32,7 +32,8 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
  *   +--- out of step, no reply in time, or reset
  * </pre>
  *
- * <p>Confined to the reader, but for {@link #want}, {@link #tell} and {@link #tellNow}.
+ * <p>Confined to the reader, but for {@link #want}, {@link #tell}, {@link #halt} and {@link
+ * #tellNow}.
  */
 final class PtuProtocol implements DeviceProtocol {
 
@@ -113,7 +114,12 @@ final class PtuProtocol implements DeviceProtocol {
     return dialogue.tell(commands);
   }
 
-  /** The same, past a command that another thread is held up with. */
+  /** Has the unit stop, past a write of another thread where that is held up; from any thread. */
+  boolean halt() {
+    return dialogue.halt();
+  }
+
+  /** The same as {@link #tell}, past a command that another thread is held up with. */
   boolean tellNow(List<String> commands) {
     return dialogue.tellNow(commands);
   }
