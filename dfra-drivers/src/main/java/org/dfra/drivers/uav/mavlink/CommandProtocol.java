@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.CommandAck;
@@ -75,8 +76,9 @@ final class CommandProtocol {
 
   private final Ticker ticker;
   private final Wire wire;
-  private final Map<MavCmd, Line> lines = new EnumMap<>(MavCmd.class); // guarded by this
-  private boolean open; // guarded by this
+  private final ReentrantLock lock = new ReentrantLock(); // held during a write
+  private final Map<MavCmd, Line> lines = new EnumMap<>(MavCmd.class); // guarded by lock
+  private boolean open; // guarded by lock
 
   CommandProtocol(Ticker ticker, Wire wire) {
     this.ticker = ticker;
@@ -84,8 +86,13 @@ final class CommandProtocol {
   }
 
   /** There is a vehicle to be commanded. */
-  synchronized void found() {
-    open = true;
+  void found() {
+    lock.lock();
+    try {
+      open = true;
+    } finally {
+      lock.unlock();
+    }
   }
 
   /**
@@ -94,32 +101,45 @@ final class CommandProtocol {
    * @param outcome is told once how it ended, unless it is called off
    * @return null where there is no vehicle: nothing is sent then, and nothing told
    */
-  synchronized @Nullable Exchange begin(MavlinkCommand command, Consumer<CommandResult> outcome) {
-    if (!open) {
-      return null;
+  @Nullable Exchange begin(MavlinkCommand command, Consumer<CommandResult> outcome) {
+    lock.lock();
+    try {
+      if (!open) {
+        return null;
+      }
+      Exchange exchange = new Exchange(command, outcome);
+      Line line = lines.computeIfAbsent(command.id(), id -> new Line());
+      line.waiting.add(exchange);
+      if (line.waiting.size() == 1) {
+        send(exchange);
+      }
+      return exchange;
+    } finally {
+      lock.unlock();
     }
-    Exchange exchange = new Exchange(command, outcome);
-    Line line = lines.computeIfAbsent(command.id(), id -> new Line());
-    line.waiting.add(exchange);
-    if (line.waiting.size() == 1) {
-      send(exchange);
-    }
-    return exchange;
   }
 
   /** It is not sent again, and its end not told. */
-  synchronized void callOff(Exchange exchange) {
-    Line line = lines.get(exchange.command.id());
-    if (line != null && line.waiting.contains(exchange)) {
-      remove(line, exchange, exchange.sent);
+  void callOff(Exchange exchange) {
+    lock.lock();
+    try {
+      Line line = lines.get(exchange.command.id());
+      if (line != null && line.waiting.contains(exchange)) {
+        remove(line, exchange, exchange.sent);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
   /** The vehicle has answered. */
   void heard(CommandAck ack) {
     @Nullable Ended ended;
-    synchronized (this) {
+    lock.lock();
+    try {
       ended = ended(ack);
+    } finally {
+      lock.unlock();
     }
     if (ended != null) {
       ended.exchange.outcome.accept(ended.result);
@@ -148,10 +168,17 @@ final class CommandProtocol {
     return null;
   }
 
-  /** Sends again what is due. */
-  void tend() {
+  /**
+   * Sends again what is due.
+   *
+   * @return false, and nothing is sent, where another thread sends: its write may be held up
+   */
+  boolean tend() {
+    if (!lock.tryLock()) {
+      return false;
+    }
     List<Ended> ended = new ArrayList<>();
-    synchronized (this) {
+    try {
       for (Line line : lines.values()) {
         @Nullable Exchange first = line.waiting.peek();
         if (first == null || ticker.nanos() - first.deadline < 0) {
@@ -164,17 +191,23 @@ final class CommandProtocol {
           ended.add(new Ended(first, CommandResult.UNANSWERED));
         }
       }
+    } finally {
+      lock.unlock();
     }
     ended.forEach(each -> each.exchange.outcome.accept(each.result));
+    return true;
   }
 
   /** There is no link any more; what was not answered yet never will be. */
   void lost() {
     List<Exchange> all = new ArrayList<>();
-    synchronized (this) {
+    lock.lock();
+    try {
       open = false;
       lines.values().forEach(line -> all.addAll(line.waiting));
       lines.clear();
+    } finally {
+      lock.unlock();
     }
     all.forEach(each -> each.outcome.accept(CommandResult.LOST));
   }

@@ -2,6 +2,7 @@ package org.dfra.drivers.uav.mavlink;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
@@ -46,11 +47,14 @@ final class FlightRest {
   private final FlightOrders orders;
   private final Ticker ticker;
 
-  // written under this
+  /** Held while an order is begun, also while its write is held up; taken before the orders'. */
+  private final ReentrantLock lock = new ReentrantLock();
+
+  // written under lock
   private volatile @Nullable FlightCommand wanted; // the last command, unless refused
   private volatile boolean commanded;
 
-  // guarded by this
+  // guarded by lock
   private boolean owed;
   private long triedNanos;
 
@@ -65,19 +69,29 @@ final class FlightRest {
    *
    * @return false where there is no vehicle to give it to
    */
-  synchronized boolean interrupt(
+  boolean interrupt(
       FlightCommand command, List<MavlinkCommand> steps, MavlinkConnection connection) {
-    owed = false;
-    commanded = true;
-    wanted = command;
-    return orders.begin(command.getClass().getSimpleName(), steps, connection.commands());
+    lock.lock();
+    try {
+      owed = false;
+      commanded = true;
+      wanted = command;
+      return orders.begin(command.getClass().getSimpleName(), steps, connection.commands());
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** There is no commander any more. */
-  synchronized void begin(@Nullable MavlinkConnection connection) {
-    if (commanded) {
-      owed = true;
-      attempt(connection);
+  void begin(@Nullable MavlinkConnection connection) {
+    lock.lock();
+    try {
+      if (commanded) {
+        owed = true;
+        attempt(connection);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
@@ -108,22 +122,38 @@ final class FlightRest {
         || picture.isIn(FlightMode.RETURN, vehicle);
   }
 
-  /** Tries again what was not accepted; called again and again. */
-  synchronized void tend(@Nullable MavlinkConnection connection) {
-    if (owed && ticker.nanos() - triedNanos >= AGAIN.toNanos()) {
-      attempt(connection);
+  /**
+   * Tries again what was not accepted; called again and again, by the reader. Does not wait where a
+   * command is being given: whoever closes the link, which may set a command free that is held up,
+   * waits for the reader.
+   */
+  void tend(@Nullable MavlinkConnection connection) {
+    if (!lock.tryLock()) {
+      return;
+    }
+    try {
+      if (owed && ticker.nanos() - triedNanos >= AGAIN.toNanos()) {
+        attempt(connection);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
   /** An order has ended. */
-  synchronized void ended(String order, CommandResult result, boolean isAlone) {
-    if (order.equals(REST)) {
-      if (result.isAccepted() && owed) {
-        atRest();
+  void ended(String order, CommandResult result, boolean isAlone) {
+    lock.lock();
+    try {
+      if (order.equals(REST)) {
+        if (result.isAccepted() && owed) {
+          atRest();
+        }
+      } else if (!result.isAccepted()) {
+        wanted = null;
+        owed |= isAlone && commanded; // its landing was refused after the commander had gone
       }
-    } else if (!result.isAccepted()) {
-      wanted = null;
-      owed |= isAlone && commanded; // its landing was refused after the commander had gone
+    } finally {
+      lock.unlock();
     }
   }
 

@@ -110,6 +110,58 @@ class MavlinkModulesTest {
     }
   }
 
+  @Test
+  void aModuleEndsThoughItsCommandHangsInTheLink() throws Exception {
+    MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
+    CountDownLatch release = new CountDownLatch(1);
+    try {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+      link.awaitLooked(); // the reader goes on
+      CompletableFuture.runAsync(flight::close, run -> new Thread(run).start())
+          .get(40, TimeUnit.SECONDS);
+      assertThat(link.isOpen()).isFalse();
+      assertThat(writing).isNotDone();
+    } finally {
+      release.countDown();
+      flight.close();
+    }
+  }
+
+  @Test
+  void aVehicleThatFallsSilentWhileACommandHangsIsNoticed() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      try {
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+        ticker.step(Duration.ofMillis(3100));
+        await("closing it may set the command free").until(() -> !link.isOpen());
+        assertThat(writing).isNotDone();
+      } finally {
+        release.countDown();
+      }
+    }
+  }
+
   /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
   private static boolean isSent(ScriptedLink link, MavCmd command) {
     int number = MavlinkEncoder.number(command);
