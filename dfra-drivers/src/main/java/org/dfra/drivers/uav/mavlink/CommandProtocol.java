@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.dfra.drivers.link.Ticker;
@@ -116,6 +117,34 @@ final class CommandProtocol {
       return exchange;
     } finally {
       lock.unlock();
+    }
+  }
+
+  /**
+   * Does something where no other thread sends, or stops to within so many milliseconds of real
+   * time; no other thread does meanwhile.
+   *
+   * @return false, and nothing is done, where another thread's write seems to be held up
+   */
+  boolean whileFree(long millis, Runnable task) {
+    if (!isLockedWithin(lock, millis)) {
+      return false;
+    }
+    try {
+      task.run();
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Locks it, also for a thread that is interrupted, where it is free. */
+  static boolean isLockedWithin(ReentrantLock lock, long millis) {
+    try {
+      return lock.tryLock() || lock.tryLock(millis, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
     }
   }
 

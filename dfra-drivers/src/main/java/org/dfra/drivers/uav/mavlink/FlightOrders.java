@@ -1,6 +1,7 @@
 package org.dfra.drivers.uav.mavlink;
 
 import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,9 +24,13 @@ final class FlightOrders {
     void ended(String order, MavlinkCommand step, CommandResult result);
   }
 
+  /** How long {@link #whileFree} waits for each lock, real time. */
+  private static final long PATIENCE_MILLIS = 50;
+
   private final Listener listener;
-  private @Nullable Order current; // guarded by this
-  private volatile String told = "none"; // written under this
+  private final ReentrantLock lock = new ReentrantLock(); // held during a write
+  private @Nullable Order current; // guarded by lock
+  private volatile String told = "none"; // written under lock
 
   /** The order under way goes no further, whatever the answer to its last step is. */
   private volatile boolean isCalledOff;
@@ -58,21 +63,48 @@ final class FlightOrders {
    *
    * @return false where there is no vehicle to give it to
    */
-  synchronized boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
-    forget();
-    isCalledOff = false;
-    Order order = new Order(name, steps, protocol);
-    current = order;
-    told = name + " awaits its answer";
-    return send(order);
+  boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
+    lock.lock();
+    try {
+      forget();
+      isCalledOff = false;
+      Order order = new Order(name, steps, protocol);
+      current = order;
+      told = name + " awaits its answer";
+      return send(order);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Does something where no other thread holds the orders or the protocol, or lets go of them soon;
+   * no other thread does meanwhile, so orders that it begins wait for none.
+   *
+   * @return false, and nothing is done, where another thread's write seems to be held up
+   */
+  boolean whileFree(CommandProtocol protocol, Runnable task) {
+    if (!CommandProtocol.isLockedWithin(lock, PATIENCE_MILLIS)) {
+      return false;
+    }
+    try {
+      return protocol.whileFree(PATIENCE_MILLIS, task);
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Calls the order off that is under way, if any. */
-  synchronized void forget() {
-    if (current != null && current.exchange != null) {
-      current.protocol.callOff(current.exchange);
+  void forget() {
+    lock.lock();
+    try {
+      if (current != null && current.exchange != null) {
+        current.protocol.callOff(current.exchange);
+      }
+      current = null;
+    } finally {
+      lock.unlock();
     }
-    current = null;
   }
 
   /** The order that is just being written gets no further step; without waiting for that write. */
@@ -92,7 +124,8 @@ final class FlightOrders {
 
   private void answered(Order order, CommandResult result) {
     MavlinkCommand step;
-    synchronized (this) {
+    lock.lock();
+    try {
       if (current != order || isCalledOff) {
         return; // another has taken its place meanwhile, or is about to
       }
@@ -107,6 +140,8 @@ final class FlightOrders {
       }
       current = null;
       told = order.name + ": " + step.name() + " " + result;
+    } finally {
+      lock.unlock();
     }
     listener.ended(order.name, step, result);
   }

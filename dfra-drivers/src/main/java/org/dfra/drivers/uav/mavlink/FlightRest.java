@@ -43,6 +43,9 @@ final class FlightRest {
   private static final Duration AGAIN = Duration.ofSeconds(2);
   private static final String REST = "coming to rest";
 
+  /** How long a rest waits for each lock, real time. */
+  private static final long PATIENCE_MILLIS = 50;
+
   private final FlightPicture picture;
   private final FlightOrders orders;
   private final Ticker ticker;
@@ -54,9 +57,9 @@ final class FlightRest {
   private volatile @Nullable FlightCommand wanted; // the last command, unless refused
   private volatile boolean commanded;
 
-  // guarded by lock
-  private boolean owed;
-  private long triedNanos;
+  private volatile boolean owed; // cleared under lock
+
+  private long triedNanos; // guarded by lock
 
   FlightRest(FlightPicture picture, FlightOrders orders, Ticker ticker) {
     this.picture = picture;
@@ -82,14 +85,31 @@ final class FlightRest {
     }
   }
 
-  /** There is no commander any more. */
+  /**
+   * There is no commander any more. Where a write of the reader is held up, the rest is sent past
+   * that, and once more as soon as the reader goes on.
+   */
   void begin(@Nullable MavlinkConnection connection) {
-    lock.lock();
+    if (!commanded) {
+      return;
+    }
+    owed = true;
+    if (!isBegun(connection)) {
+      beginMeanwhile(connection);
+    }
+  }
+
+  /** False where a write seems to be held up. */
+  private boolean isBegun(@Nullable MavlinkConnection connection) {
+    if (!CommandProtocol.isLockedWithin(lock, PATIENCE_MILLIS)) {
+      return false;
+    }
     try {
-      if (commanded) {
-        owed = true;
-        attempt(connection);
+      if (connection != null) {
+        return orders.whileFree(connection.commands(), () -> attempt(connection));
       }
+      attempt(null);
+      return true;
     } finally {
       lock.unlock();
     }

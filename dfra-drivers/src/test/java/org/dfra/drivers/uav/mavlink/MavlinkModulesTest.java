@@ -111,6 +111,41 @@ class MavlinkModulesTest {
   }
 
   @Test
+  void holdsItsPlacePastAWriteOfTheReaderThatHangsAndOnceMoreAfterIt() throws Exception {
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
+      link.awaitLooked();
+      CountDownLatch release = new CountDownLatch(1);
+      link.holdUpTheReader(release);
+      long written = link.written().size();
+      try {
+        ticker.step(Duration.ofMillis(750)); // unanswered, so it is sent again
+        await().until(() -> link.written().size() > written);
+        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
+        assertThat(flight.emergencyStop("ops").latched()).isTrue();
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
+        await().until(() -> flight.stopState().resting());
+      } finally {
+        release.countDown();
+      }
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      await("as what the vehicle did not accept").until(() -> modesSet(link) >= 2);
+    }
+  }
+
+  private static long modesSet(ScriptedLink link) {
+    return link.written().stream()
+        .filter(each -> isCommand(each, MavCmd.MAV_CMD_DO_SET_MODE))
+        .count();
+  }
+
+  @Test
   void aModuleEndsThoughItsCommandHangsInTheLink() throws Exception {
     MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
     CountDownLatch release = new CountDownLatch(1);
@@ -163,11 +198,14 @@ class MavlinkModulesTest {
   }
 
   /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
+  private static boolean isCommand(byte[] frame, MavCmd command) {
+    return frame.length > 40
+        && (frame[7] == 76 || frame[7] == 75)
+        && ((frame[38] & 0xFF) | (frame[39] & 0xFF) << 8) == MavlinkEncoder.number(command);
+  }
+
   private static boolean isSent(ScriptedLink link, MavCmd command) {
-    int number = MavlinkEncoder.number(command);
-    return link.written().stream()
-        .filter(each -> each.length > 40 && (each[7] == 76 || each[7] == 75))
-        .anyMatch(each -> ((each[38] & 0xFF) | (each[39] & 0xFF) << 8) == number);
+    return link.written().stream().anyMatch(each -> isCommand(each, command));
   }
 
   @Test
