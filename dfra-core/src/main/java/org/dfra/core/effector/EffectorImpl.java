@@ -157,6 +157,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    */
   @Override
   protected final void endLeases() {
+    helm.end();
     if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
       if (!haltWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
@@ -168,7 +169,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     halts().execute(this::endLeasesAndSettle);
   }
 
-  /** Somebody may have given the command up just now, whose halt would come too late. */
+  /** Who has the command, or gives it up just now, has lost it by now; the rest is owed. */
   private void endLeasesAndSettle() {
     super.endLeases();
     helm.settle();

@@ -191,6 +191,19 @@ class HelmTest {
   }
 
   @Test
+  void restsAtTheEndThoughWhoGivesTheCommandUpHasNotReachedThat() throws Exception {
+    CommandKey key = take("a client");
+    helm.end();
+    helm.settle();
+    assertThat(told).containsExactly("lost");
+    assertThat(helm.isHeldBy(key)).isFalse();
+    over.run();
+    helm.end();
+    helm.settle();
+    assertThat(told).as("once").containsExactly("lost");
+  }
+
+  @Test
   void whoIsDeposedWhileItsLeaseIsGrantedHasNoneAfterwards() {
     assertThatThrownBy(
             () ->
