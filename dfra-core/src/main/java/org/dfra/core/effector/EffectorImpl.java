@@ -103,6 +103,14 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   protected void restMeanwhile() {}
 
   /**
+   * Whether nobody commands it, or the next commander's first command has not begun; for {@link
+   * #restMeanwhile}, which may be late.
+   */
+  protected final boolean isRestDue() {
+    return helm.isRestDue();
+  }
+
+  /**
    * Why it does not serve while it does not, as a clause, for those whose command is not obeyed;
    * null where there is nothing to be said.
    */

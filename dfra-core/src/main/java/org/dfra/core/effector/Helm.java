@@ -292,8 +292,20 @@ public final class Helm {
    */
   void settle() {
     if (isRestOwed) {
-      halts.accept(() -> betweenCommands(this::restIfOwed, heldUp));
+      halts.accept(() -> betweenCommands(this::restIfOwed, this::heldUpIfOwed));
     }
+  }
+
+  /** The command that held the driver up may be over by now, and the next commander's under way. */
+  private void heldUpIfOwed() {
+    if (isRestOwed) {
+      heldUp.run();
+    }
+  }
+
+  /** Whether nobody commands, or the next commander's first command has not begun. */
+  boolean isRestDue() {
+    return isRestOwed || commander == null;
   }
 
   /** Between commands. */

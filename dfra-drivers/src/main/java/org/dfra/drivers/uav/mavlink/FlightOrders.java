@@ -2,6 +2,7 @@ package org.dfra.drivers.uav.mavlink;
 
 import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,11 +30,11 @@ final class FlightOrders {
 
   private final Listener listener;
   private final ReentrantLock lock = new ReentrantLock(); // held during a write
-  private @Nullable Order current; // guarded by lock
+  private volatile @Nullable Order current; // written under lock
   private volatile String told = "none"; // written under lock
 
-  /** The order under way goes no further, whatever the answer to its last step is. */
-  private volatile boolean isCalledOff;
+  /** It goes no further, whatever the answer to its last step is; not so the orders after it. */
+  private volatile @Nullable Order calledOff;
 
   /** An order under way; all of it is guarded by the orders. */
   private static final class Order {
@@ -67,7 +68,6 @@ final class FlightOrders {
     lock.lock();
     try {
       forget();
-      isCalledOff = false;
       Order order = new Order(name, steps, protocol);
       current = order;
       told = name + " awaits its answer";
@@ -98,8 +98,9 @@ final class FlightOrders {
   void forget() {
     lock.lock();
     try {
-      if (current != null && current.exchange != null) {
-        current.protocol.callOff(current.exchange);
+      @Nullable Order last = current;
+      if (last != null && last.exchange != null) {
+        last.protocol.callOff(last.exchange);
       }
       current = null;
     } finally {
@@ -107,9 +108,19 @@ final class FlightOrders {
     }
   }
 
-  /** The order that is just being written gets no further step; without waiting for that write. */
-  void callOffMeanwhile() {
-    isCalledOff = true;
+  /**
+   * The order that is just being written gets no further step; without waiting for that write.
+   *
+   * @param isDue whether that order is not the next commander's; asked when it has been looked at
+   * @return what {@code isDue} says; nothing is called off where that is false
+   */
+  boolean callOffMeanwhile(BooleanSupplier isDue) {
+    @Nullable Order order = current;
+    if (!isDue.getAsBoolean()) {
+      return false;
+    }
+    calledOff = order;
+    return true;
   }
 
   private boolean send(Order order) {
@@ -126,7 +137,7 @@ final class FlightOrders {
     MavlinkCommand step;
     lock.lock();
     try {
-      if (current != order || isCalledOff) {
+      if (current != order || calledOff == order) {
         return; // another has taken its place meanwhile, or is about to
       }
       step = order.step();

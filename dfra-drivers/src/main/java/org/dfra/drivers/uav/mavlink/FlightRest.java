@@ -3,6 +3,7 @@ package org.dfra.drivers.uav.mavlink;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
@@ -95,7 +96,7 @@ final class FlightRest {
     }
     owed = true;
     if (!isBegun(connection)) {
-      beginMeanwhile(connection);
+      beginMeanwhile(connection, () -> true);
     }
   }
 
@@ -115,22 +116,28 @@ final class FlightRest {
     }
   }
 
-  /** Sends the same, without the locks that a command holds which is held up in the link. */
-  void beginMeanwhile(@Nullable MavlinkConnection connection) {
+  /**
+   * Sends the same, without the locks that a command holds which is held up in the link.
+   *
+   * @param isDue whether the next commander does not command yet
+   */
+  void beginMeanwhile(@Nullable MavlinkConnection connection, BooleanSupplier isDue) {
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
     if (!commanded || connection == null || vehicle == null || !picture.isWhole()) {
       return;
     }
     if (picture.phase() == Phase.ON_GROUND) {
-      sendNow(new Disarm(), vehicle, connection);
+      sendNow(new Disarm(), vehicle, connection, isDue);
     } else if (!isEndingByItself(vehicle)) {
-      sendNow(new Hold(), vehicle, connection);
+      sendNow(new Hold(), vehicle, connection, isDue);
     }
   }
 
-  private void sendNow(FlightCommand step, Vehicle vehicle, MavlinkConnection connection) {
-    orders.callOffMeanwhile(); // the answer to this is not to be taken for one to that
-    FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
+  private void sendNow(
+      FlightCommand step, Vehicle vehicle, MavlinkConnection connection, BooleanSupplier isDue) {
+    if (orders.callOffMeanwhile(isDue)) { // the answer to this is not to be taken for one to that
+      FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
+    }
   }
 
   /** It lands, or flies home to land there. */

@@ -173,7 +173,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   /** {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link FlightRest}. */
   @Override
   protected void restMeanwhile() {
-    rest.beginMeanwhile(port.joined());
+    rest.beginMeanwhile(port.joined(), this::isRestDue);
   }
 
   /** An order has ended; on the reader thread. */
