@@ -37,7 +37,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Safe for use by several threads: commands and the coming to rest exclude each other. Past a
  * command that is held up in the link, {@link #beginMeanwhile} sends the rest without awaiting an
- * answer; {@link #begin} follows when the command is over.
+ * answer; {@link #begin} follows when the command is over. An answer does not say which of the two
+ * it answers, so the rest is done only when two were accepted.
  */
 final class FlightRest {
 
@@ -59,6 +60,9 @@ final class FlightRest {
   private volatile boolean commanded;
 
   private volatile boolean owed; // cleared under lock
+
+  /** A rest was sent past a write, and its answer may be yet to come. */
+  private volatile boolean isSentPast;
 
   private long triedNanos; // guarded by lock
 
@@ -136,6 +140,7 @@ final class FlightRest {
   private void sendNow(
       FlightCommand step, Vehicle vehicle, MavlinkConnection connection, BooleanSupplier isDue) {
     if (orders.callOffMeanwhile(isDue)) { // the answer to this is not to be taken for one to that
+      isSentPast = true;
       FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
     }
   }
@@ -172,7 +177,9 @@ final class FlightRest {
     lock.lock();
     try {
       if (order.equals(REST)) {
-        if (result.isAccepted() && owed) {
+        if (result.isAccepted() && isSentPast) {
+          isSentPast = false; // this may be its answer; what follows it is to be accepted, too
+        } else if (result.isAccepted() && owed) {
           atRest();
         }
       } else if (!result.isAccepted()) {

@@ -55,6 +55,10 @@ class MavlinkModulesTest {
           "FD2400000D0101930000FFFFFFFFFFFFFFFFFF7FA00FA00F3C0F3C0FFFFFFFFFFFFFFFFFFFFFFFFF"
               + "6AFF0000013F4737");
 
+  /** {@code COMMAND_ACK} of {@code DO_SET_MODE}, 176. */
+  private static final byte[] MODE_ACCEPTED =
+      summed(hex("FD030000010101" + "4D0000" + "B000000000"), 143);
+
   private final StepTicker ticker = new StepTicker(false);
   private final List<ScriptedLink> links = new CopyOnWriteArrayList<>();
   private final LinkKeeper.Source source =
@@ -107,6 +111,17 @@ class MavlinkModulesTest {
         release.countDown();
       }
       writing.get(60, TimeUnit.SECONDS);
+      await().until(() -> modesSet(link) == 2);
+      say(MODE_ACCEPTED); // the first of them; the second was lost
+      await().until(() -> parameter(flight, "last_order").endsWith("DO_SET_MODE is accepted"));
+      ticker.step(Duration.ofMillis(2100));
+      await("the second is sent again").until(() -> modesSet(link) == 3);
+      say(HEARTBEAT, MODE_ACCEPTED);
+      await().until(() -> link.isTaken());
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      link.awaitLooked();
+      assertThat(modesSet(link)).as("it is at rest").isEqualTo(3);
     }
   }
 
