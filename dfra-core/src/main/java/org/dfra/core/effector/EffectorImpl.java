@@ -103,6 +103,14 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   protected void restMeanwhile() {}
 
   /**
+   * Whether nobody commands it, or the next commander's first command has not begun; for {@link
+   * #restMeanwhile}, which may be late.
+   */
+  protected final boolean isRestDue() {
+    return helm.isRestDue();
+  }
+
+  /**
    * Why it does not serve while it does not, as a clause, for those whose command is not obeyed;
    * null where there is nothing to be said.
    */
@@ -120,9 +128,27 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
-  /** On the thread for halts; whoever asks for it waits for a moment at the most. */
   private void haltSoon(Runnable task) {
-    boolean unused = halts().executeWithin(task, REST_PATIENCE);
+    boolean unused = haltWithin(task, REST_PATIENCE);
+  }
+
+  /**
+   * On the thread for halts; whoever asks for it waits for a moment at the most. Where that thread
+   * cannot be started, the caller's has to do, unless a command holds the driver up.
+   *
+   * @return whether it has ended
+   */
+  private boolean haltWithin(Runnable task, Duration patience) {
+    if (halts().isPrepared()) {
+      return halts().executeWithin(task, patience);
+    }
+    if (helm.isFreeSoon()) {
+      task.run();
+      return true;
+    }
+    heldUp();
+    halts().execute(task); // which tries again to start the thread
+    return false;
   }
 
   /** A command that is under way when the commander is lost seems to be held up. */
@@ -139,8 +165,9 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    */
   @Override
   protected final void endLeases() {
+    helm.end();
     if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
-      if (!halts().executeWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
+      if (!haltWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
       return;
@@ -150,7 +177,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     halts().execute(this::endLeasesAndSettle);
   }
 
-  /** Somebody may have given the command up just now, whose halt would come too late. */
+  /** Who has the command, or gives it up just now, has lost it by now; the rest is owed. */
   private void endLeasesAndSettle() {
     super.endLeases();
     helm.settle();
@@ -245,6 +272,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
                 readiness,
                 "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
           }
+          boolean unused = halts().isPrepared(); // for its end; a halt is obeyed without, too
           obey(command);
         });
   }

@@ -58,8 +58,8 @@ public final class Helm {
 
   /**
    * @param module the effector's path, {@code robot/name}
-   * @param lost run when the commander is lost, before anybody else can be; must not block, nor
-   *     throw
+   * @param lost run when the commander is lost, before any command of another is executed; must not
+   *     block, nor throw
    * @param heldUp run before that, once, where the commander is lost and its last command does not
    *     end within a tenth of a second; must not throw
    * @param halts runs what may have to wait for the driver, and does not wait for it for long
@@ -276,12 +276,36 @@ public final class Helm {
   }
 
   /**
+   * The effector ends. Takes the command from whoever has it, also where its lease has ended and
+   * {@link #release} has not been reached; {@link #settle} is to follow.
+   */
+  synchronized void end() {
+    if (commander != null) {
+      commander = null;
+      lease = null;
+      isRestOwed = true;
+    }
+  }
+
+  /**
    * Has the device come to rest where it owes that; waits for its driver for a moment at the most.
    */
   void settle() {
     if (isRestOwed) {
-      halts.accept(() -> betweenCommands(this::restIfOwed, heldUp));
+      halts.accept(() -> betweenCommands(this::restIfOwed, this::heldUpIfOwed));
     }
+  }
+
+  /** The command that held the driver up may be over by now, and the next commander's under way. */
+  private void heldUpIfOwed() {
+    if (isRestOwed) {
+      heldUp.run();
+    }
+  }
+
+  /** Whether nobody commands, or the next commander's first command has not begun. */
+  boolean isRestDue() {
+    return isRestOwed || commander == null;
   }
 
   /** Between commands. */

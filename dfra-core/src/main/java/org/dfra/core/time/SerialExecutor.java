@@ -71,6 +71,16 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
+  /** Begins the thread where there is none yet; false where there cannot be one more. */
+  public boolean isPrepared() {
+    try {
+      prepare();
+      return true;
+    } catch (OutOfMemoryError e) {
+      return false;
+    }
+  }
+
   /** Has a task run, unless this is closed. Never waits. */
   @Override
   public void execute(Runnable task) {

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -69,6 +71,15 @@ class HeldUpDriverTest {
   private static <T> T answer(Supplier<T> question) throws Exception {
     return CompletableFuture.supplyAsync(question, run -> new Thread(run).start())
         .get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  @Test
+  void whoeverCommandsHasAThreadThatCanHaltTheDeviceLater() throws Exception {
+    Set<Thread> before = Thread.getAllStackTraces().keySet();
+    wheels.obey(key(), new Brake(true)); // which no time-out follows
+    Set<Thread> begun = new HashSet<>(Thread.getAllStackTraces().keySet());
+    begun.removeAll(before);
+    assertThat(begun).extracting(Thread::getName).contains("dfra-halts " + ScriptedWheels.PATH);
   }
 
   @Test

@@ -2,12 +2,16 @@ package org.dfra.core.effector;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
@@ -188,6 +192,75 @@ class HelmTest {
     over.run();
     assertThat(told).as("of the next one's end only").containsExactly("lost");
     assertThat(helm.isHeldBy(next)).isFalse();
+  }
+
+  /** As where the driver came to rest, and executes the next commander's command by now. */
+  @Test
+  void aCommandIsNotCalledOffForARestThatIsNotOwedAnyMore() throws Exception {
+    List<String> struck = new CopyOnWriteArrayList<>();
+    List<Runnable> halts = new ArrayList<>();
+    Helm late =
+        new Helm(
+            "atrv1/wheels",
+            clock,
+            () -> {},
+            () -> struck.add("held up"),
+            halts::add,
+            stop,
+            revoked::add);
+    CommandKey key =
+        late.take(
+            "the first",
+            whenOver -> {
+              over = whenOver;
+              return LEASE;
+            });
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch release = new CountDownLatch(1);
+    Thread commander =
+        new Thread(
+            () ->
+                late.obey(
+                    key,
+                    () -> {
+                      begun.countDown();
+                      awaitQuietly(release);
+                    }));
+    commander.start();
+    begun.await();
+    over.run();
+    assertThat(halts).hasSize(1);
+    Thread halting = new Thread(halts.get(0));
+    late.rested();
+    halting.start();
+    await()
+        .atMost(Duration.ofSeconds(20))
+        .until(() -> !struck.isEmpty() || halting.getState() == Thread.State.WAITING);
+    release.countDown();
+    halting.join();
+    commander.join();
+    assertThat(struck).isEmpty();
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Test
+  void restsAtTheEndThoughWhoGivesTheCommandUpHasNotReachedThat() throws Exception {
+    CommandKey key = take("a client");
+    helm.end();
+    helm.settle();
+    assertThat(told).containsExactly("lost");
+    assertThat(helm.isHeldBy(key)).isFalse();
+    over.run();
+    helm.end();
+    helm.settle();
+    assertThat(told).as("once").containsExactly("lost");
   }
 
   @Test

@@ -64,6 +64,18 @@ class SerialExecutorTest {
   }
 
   @Test
+  void saysWhetherItHasAThreadAndBeginsItWhereItCan() {
+    missing.set(1);
+    assertThat(executor.isPrepared()).isFalse();
+    assertThat(executor.isPrepared()).isTrue();
+    missing.set(1);
+    assertThat(executor.isPrepared()).as("one is enough").isTrue();
+    assertThat(missing).as("no other was started").hasValue(1);
+    assertThat(executor.executeWithin(() -> done.add("run"), Duration.ofSeconds(20))).isTrue();
+    assertThat(done).containsExactly("run");
+  }
+
+  @Test
   void whatWaitsForAThreadIsRunAlsoAfterTheEnd() throws Exception {
     missing.set(1);
     CountDownLatch run = new CountDownLatch(1);

@@ -32,6 +32,9 @@ final class PtuDialogue {
   /** How long the reader waits for a write of another thread, real time. */
   private static final long PATIENCE_MILLIS = 50;
 
+  /** How long a halt waits for a write of another thread, real time. */
+  private static final long HALT_PATIENCE_MILLIS = 100;
+
   private final Predicate<byte[]> sender;
   private final Ticker ticker;
   private final BiConsumer<String, String> refusals;
@@ -39,6 +42,9 @@ final class PtuDialogue {
 
   /** Held during a write, so that commands are queued as they are written; taken before this. */
   private final ReentrantLock writing = new ReentrantLock();
+
+  /** A halt was sent past a write; it is repeated after that. Cleared under writing. */
+  private volatile boolean isHaltOwed;
 
   /**
    * @param sender hands bytes to the line at once; false when there is none
@@ -55,15 +61,71 @@ final class PtuDialogue {
   boolean tell(List<String> commands) {
     writing.lock();
     try {
+      haltIfOwed();
       return tellNow(commands);
     } finally {
-      writing.unlock();
+      unlock();
     }
   }
 
   /**
-   * The same, past a write that is held up. Whichever of the two reaches the unit first, both are
-   * answered alike, so the replies stay in step.
+   * Has the unit stop, also where a write of whichever thread, the reader's too, is held up: after
+   * 0.1 s it is sent past that, and once more after it, since the two may have been mixed.
+   */
+  boolean halt() {
+    List<String> halt = List.of(PtuCommands.HALT);
+    if (!lockWithin(HALT_PATIENCE_MILLIS)) {
+      isHaltOwed = true;
+      boolean isSent = tellNow(halt);
+      repeatHalt(); // where the write has ended meanwhile
+      return isSent;
+    }
+    try {
+      isHaltOwed = false;
+      return tellNow(halt);
+    } finally {
+      unlock();
+    }
+  }
+
+  /** The thread that has written does it, or the one that owes it, if none writes. */
+  private void repeatHalt() {
+    while (isHaltOwed && writing.tryLock()) {
+      try {
+        haltIfOwed();
+      } finally {
+        writing.unlock();
+      }
+    }
+  }
+
+  /** Under writing. */
+  private void haltIfOwed() {
+    if (isHaltOwed) {
+      isHaltOwed = false;
+      boolean unused = tellNow(List.of(PtuCommands.HALT));
+    }
+  }
+
+  private void unlock() {
+    writing.unlock();
+    repeatHalt();
+  }
+
+  /** Also for a thread that is interrupted, where nobody writes. */
+  private boolean lockWithin(long millis) {
+    try {
+      return writing.tryLock() || writing.tryLock(millis, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /**
+   * The same as {@link #tell(List)}, past a write that is held up. Whichever of the two reaches the
+   * unit first, commands are answered alike. Where a question is held up, its number may come where
+   * {@code *} was expected; then the unit is set up anew.
    */
   boolean tellNow(List<String> commands) {
     long now = ticker.nanos();
@@ -87,21 +149,17 @@ final class PtuDialogue {
 
   /** False also where a write of another thread is held up. */
   private boolean write(Pending next) {
-    try {
-      if (!writing.tryLock(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
-        return false;
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    if (!lockWithin(PATIENCE_MILLIS)) {
       return false;
     }
     try {
+      haltIfOwed();
       synchronized (this) {
         queue.add(next);
       }
       return sender.test(PtuCommands.bytes(List.of(next.command())));
     } finally {
-      writing.unlock();
+      unlock();
     }
   }
 

@@ -161,6 +161,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(path() + " cannot point there: " + e.getMessage(), e);
     }
+    halts().prepare(); // what could not be halted later is not begun
     target = wanted;
     tellUnit(
         PtuCommands.point(
@@ -177,11 +178,14 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     }
   }
 
-  /** Halts where it is. Without a link it cannot be told, and stops where it was told to point. */
+  /**
+   * Halts where it is, past a write of the reader where that is held up. Without a link it cannot
+   * be told, and stops where it was told to point.
+   */
   @Override
   protected void rest() {
     target = null;
-    boolean unused = protocol.tell(List.of(PtuCommands.HALT));
+    boolean unused = protocol.halt();
   }
 
   /** {@inheritDoc} Halts it on another way through the link, if the link has one. */

@@ -32,7 +32,8 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
  *   +--- out of step, no reply in time, or reset
  * </pre>
  *
- * <p>Confined to the reader, but for {@link #want}, {@link #tell} and {@link #tellNow}.
+ * <p>Confined to the reader, but for {@link #want}, {@link #tell}, {@link #halt} and {@link
+ * #tellNow}.
  */
 final class PtuProtocol implements DeviceProtocol {
 
@@ -113,7 +114,12 @@ final class PtuProtocol implements DeviceProtocol {
     return dialogue.tell(commands);
   }
 
-  /** The same, past a command that another thread is held up with. */
+  /** Has the unit stop, past a write of another thread where that is held up; from any thread. */
+  boolean halt() {
+    return dialogue.halt();
+  }
+
+  /** The same as {@link #tell}, past a command that another thread is held up with. */
   boolean tellNow(List<String> commands) {
     return dialogue.tellNow(commands);
   }
@@ -186,7 +192,10 @@ final class PtuProtocol implements DeviceProtocol {
         List.of(PtuCommands.NO_ECHO, PtuCommands.TERSE, PtuCommands.IMMEDIATELY);
     unsettled = settings.size();
     for (String setting : settings) {
-      boolean unused = dialogue.tell(setting, this::settled);
+      if (!dialogue.tell(setting, this::settled)) {
+        listen(); // another thread's write is held up; all of them once more, after it
+        return;
+      }
     }
   }
 
@@ -220,9 +229,11 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   private void poll() {
-    String wish = wishes.poll();
+    String wish = wishes.peek();
     if (wish != null) {
-      fulfil(wish);
+      if (fulfil(wish)) {
+        String unused = wishes.poll();
+      }
       return;
     }
     long period = Math.round(1e9 / rate.getAsDouble());
@@ -233,14 +244,18 @@ final class PtuProtocol implements DeviceProtocol {
     }
   }
 
-  private void fulfil(String wish) {
-    if (wish.equals(PtuCommands.RESET)) {
+  /** False where another thread's write is held up, and it is to be tried again. */
+  private boolean fulfil(String wish) {
+    if (!wish.equals(PtuCommands.RESET)) {
+      return dialogue.ask(wish, reply -> listener.answered(wish, reply));
+    }
+    if (dialogue.tell(wish, this::reset)) {
       phase = Phase.RESETTING;
       listener.resetting();
-      boolean unused = dialogue.tell(wish, this::reset);
-    } else {
-      boolean unused = dialogue.ask(wish, reply -> listener.answered(wish, reply));
+    } else { // later it might move the head under a commander, or while it is stopped
+      listener.answered(wish, new Refused("the line is held up by a command; try again later"));
     }
+    return true;
   }
 
   private void reset(PtuReply reply) {

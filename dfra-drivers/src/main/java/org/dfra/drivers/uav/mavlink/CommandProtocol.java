@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.CommandAck;
@@ -75,8 +77,9 @@ final class CommandProtocol {
 
   private final Ticker ticker;
   private final Wire wire;
-  private final Map<MavCmd, Line> lines = new EnumMap<>(MavCmd.class); // guarded by this
-  private boolean open; // guarded by this
+  private final ReentrantLock lock = new ReentrantLock(); // held during a write
+  private final Map<MavCmd, Line> lines = new EnumMap<>(MavCmd.class); // guarded by lock
+  private boolean open; // guarded by lock
 
   CommandProtocol(Ticker ticker, Wire wire) {
     this.ticker = ticker;
@@ -84,8 +87,13 @@ final class CommandProtocol {
   }
 
   /** There is a vehicle to be commanded. */
-  synchronized void found() {
-    open = true;
+  void found() {
+    lock.lock();
+    try {
+      open = true;
+    } finally {
+      lock.unlock();
+    }
   }
 
   /**
@@ -94,32 +102,73 @@ final class CommandProtocol {
    * @param outcome is told once how it ended, unless it is called off
    * @return null where there is no vehicle: nothing is sent then, and nothing told
    */
-  synchronized @Nullable Exchange begin(MavlinkCommand command, Consumer<CommandResult> outcome) {
-    if (!open) {
-      return null;
+  @Nullable Exchange begin(MavlinkCommand command, Consumer<CommandResult> outcome) {
+    lock.lock();
+    try {
+      if (!open) {
+        return null;
+      }
+      Exchange exchange = new Exchange(command, outcome);
+      Line line = lines.computeIfAbsent(command.id(), id -> new Line());
+      line.waiting.add(exchange);
+      if (line.waiting.size() == 1) {
+        send(exchange);
+      }
+      return exchange;
+    } finally {
+      lock.unlock();
     }
-    Exchange exchange = new Exchange(command, outcome);
-    Line line = lines.computeIfAbsent(command.id(), id -> new Line());
-    line.waiting.add(exchange);
-    if (line.waiting.size() == 1) {
-      send(exchange);
+  }
+
+  /**
+   * Does something where no other thread sends, or stops to within so many milliseconds of real
+   * time; no other thread does meanwhile.
+   *
+   * @return false, and nothing is done, where another thread's write seems to be held up
+   */
+  boolean whileFree(long millis, Runnable task) {
+    if (!isLockedWithin(lock, millis)) {
+      return false;
     }
-    return exchange;
+    try {
+      task.run();
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Locks it, also for a thread that is interrupted, where it is free. */
+  static boolean isLockedWithin(ReentrantLock lock, long millis) {
+    try {
+      return lock.tryLock() || lock.tryLock(millis, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
   }
 
   /** It is not sent again, and its end not told. */
-  synchronized void callOff(Exchange exchange) {
-    Line line = lines.get(exchange.command.id());
-    if (line != null && line.waiting.contains(exchange)) {
-      remove(line, exchange, exchange.sent);
+  void callOff(Exchange exchange) {
+    lock.lock();
+    try {
+      Line line = lines.get(exchange.command.id());
+      if (line != null && line.waiting.contains(exchange)) {
+        remove(line, exchange, exchange.sent);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
   /** The vehicle has answered. */
   void heard(CommandAck ack) {
     @Nullable Ended ended;
-    synchronized (this) {
+    lock.lock();
+    try {
       ended = ended(ack);
+    } finally {
+      lock.unlock();
     }
     if (ended != null) {
       ended.exchange.outcome.accept(ended.result);
@@ -148,10 +197,17 @@ final class CommandProtocol {
     return null;
   }
 
-  /** Sends again what is due. */
-  void tend() {
+  /**
+   * Sends again what is due.
+   *
+   * @return false, and nothing is sent, where another thread sends: its write may be held up
+   */
+  boolean tend() {
+    if (!lock.tryLock()) {
+      return false;
+    }
     List<Ended> ended = new ArrayList<>();
-    synchronized (this) {
+    try {
       for (Line line : lines.values()) {
         @Nullable Exchange first = line.waiting.peek();
         if (first == null || ticker.nanos() - first.deadline < 0) {
@@ -164,17 +220,23 @@ final class CommandProtocol {
           ended.add(new Ended(first, CommandResult.UNANSWERED));
         }
       }
+    } finally {
+      lock.unlock();
     }
     ended.forEach(each -> each.exchange.outcome.accept(each.result));
+    return true;
   }
 
   /** There is no link any more; what was not answered yet never will be. */
   void lost() {
     List<Exchange> all = new ArrayList<>();
-    synchronized (this) {
+    lock.lock();
+    try {
       open = false;
       lines.values().forEach(line -> all.addAll(line.waiting));
       lines.clear();
+    } finally {
+      lock.unlock();
     }
     all.forEach(each -> each.outcome.accept(CommandResult.LOST));
   }

@@ -1,6 +1,8 @@
 package org.dfra.drivers.uav.mavlink;
 
 import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,12 +25,16 @@ final class FlightOrders {
     void ended(String order, MavlinkCommand step, CommandResult result);
   }
 
-  private final Listener listener;
-  private @Nullable Order current; // guarded by this
-  private volatile String told = "none"; // written under this
+  /** How long {@link #whileFree} waits for each lock, real time. */
+  private static final long PATIENCE_MILLIS = 50;
 
-  /** The order under way goes no further, whatever the answer to its last step is. */
-  private volatile boolean isCalledOff;
+  private final Listener listener;
+  private final ReentrantLock lock = new ReentrantLock(); // held during a write
+  private volatile @Nullable Order current; // written under lock
+  private volatile String told = "none"; // written under lock
+
+  /** It goes no further, whatever the answer to its last step is; not so the orders after it. */
+  private volatile @Nullable Order calledOff;
 
   /** An order under way; all of it is guarded by the orders. */
   private static final class Order {
@@ -58,26 +64,63 @@ final class FlightOrders {
    *
    * @return false where there is no vehicle to give it to
    */
-  synchronized boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
-    forget();
-    isCalledOff = false;
-    Order order = new Order(name, steps, protocol);
-    current = order;
-    told = name + " awaits its answer";
-    return send(order);
+  boolean begin(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
+    lock.lock();
+    try {
+      forget();
+      Order order = new Order(name, steps, protocol);
+      current = order;
+      told = name + " awaits its answer";
+      return send(order);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Does something where no other thread holds the orders or the protocol, or lets go of them soon;
+   * no other thread does meanwhile, so orders that it begins wait for none.
+   *
+   * @return false, and nothing is done, where another thread's write seems to be held up
+   */
+  boolean whileFree(CommandProtocol protocol, Runnable task) {
+    if (!CommandProtocol.isLockedWithin(lock, PATIENCE_MILLIS)) {
+      return false;
+    }
+    try {
+      return protocol.whileFree(PATIENCE_MILLIS, task);
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Calls the order off that is under way, if any. */
-  synchronized void forget() {
-    if (current != null && current.exchange != null) {
-      current.protocol.callOff(current.exchange);
+  void forget() {
+    lock.lock();
+    try {
+      @Nullable Order last = current;
+      if (last != null && last.exchange != null) {
+        last.protocol.callOff(last.exchange);
+      }
+      current = null;
+    } finally {
+      lock.unlock();
     }
-    current = null;
   }
 
-  /** The order that is just being written gets no further step; without waiting for that write. */
-  void callOffMeanwhile() {
-    isCalledOff = true;
+  /**
+   * The order that is just being written gets no further step; without waiting for that write.
+   *
+   * @param isDue whether that order is not the next commander's; asked when it has been looked at
+   * @return what {@code isDue} says; nothing is called off where that is false
+   */
+  boolean callOffMeanwhile(BooleanSupplier isDue) {
+    @Nullable Order order = current;
+    if (!isDue.getAsBoolean()) {
+      return false;
+    }
+    calledOff = order;
+    return true;
   }
 
   private boolean send(Order order) {
@@ -92,8 +135,9 @@ final class FlightOrders {
 
   private void answered(Order order, CommandResult result) {
     MavlinkCommand step;
-    synchronized (this) {
-      if (current != order || isCalledOff) {
+    lock.lock();
+    try {
+      if (current != order || calledOff == order) {
         return; // another has taken its place meanwhile, or is about to
       }
       step = order.step();
@@ -107,6 +151,8 @@ final class FlightOrders {
       }
       current = null;
       told = order.name + ": " + step.name() + " " + result;
+    } finally {
+      lock.unlock();
     }
     listener.ended(order.name, step, result);
   }

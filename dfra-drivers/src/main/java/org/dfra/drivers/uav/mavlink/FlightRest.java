@@ -2,6 +2,8 @@ package org.dfra.drivers.uav.mavlink;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
@@ -35,24 +37,34 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Safe for use by several threads: commands and the coming to rest exclude each other. Past a
  * command that is held up in the link, {@link #beginMeanwhile} sends the rest without awaiting an
- * answer; {@link #begin} follows when the command is over.
+ * answer; {@link #begin} follows when the command is over. An answer does not say which of the two
+ * it answers, so the rest is done only when two were accepted.
  */
 final class FlightRest {
 
   private static final Duration AGAIN = Duration.ofSeconds(2);
   private static final String REST = "coming to rest";
 
+  /** How long a rest waits for each lock, real time. */
+  private static final long PATIENCE_MILLIS = 50;
+
   private final FlightPicture picture;
   private final FlightOrders orders;
   private final Ticker ticker;
 
-  // written under this
+  /** Held while an order is begun, also while its write is held up; taken before the orders'. */
+  private final ReentrantLock lock = new ReentrantLock();
+
+  // written under lock
   private volatile @Nullable FlightCommand wanted; // the last command, unless refused
   private volatile boolean commanded;
 
-  // guarded by this
-  private boolean owed;
-  private long triedNanos;
+  private volatile boolean owed; // cleared under lock
+
+  /** A rest was sent past a write, and its answer may be yet to come. */
+  private volatile boolean isSentPast;
+
+  private long triedNanos; // guarded by lock
 
   FlightRest(FlightPicture picture, FlightOrders orders, Ticker ticker) {
     this.picture = picture;
@@ -65,38 +77,72 @@ final class FlightRest {
    *
    * @return false where there is no vehicle to give it to
    */
-  synchronized boolean interrupt(
+  boolean interrupt(
       FlightCommand command, List<MavlinkCommand> steps, MavlinkConnection connection) {
-    owed = false;
-    commanded = true;
-    wanted = command;
-    return orders.begin(command.getClass().getSimpleName(), steps, connection.commands());
-  }
-
-  /** There is no commander any more. */
-  synchronized void begin(@Nullable MavlinkConnection connection) {
-    if (commanded) {
-      owed = true;
-      attempt(connection);
+    lock.lock();
+    try {
+      owed = false;
+      commanded = true;
+      wanted = command;
+      return orders.begin(command.getClass().getSimpleName(), steps, connection.commands());
+    } finally {
+      lock.unlock();
     }
   }
 
-  /** Sends the same, without the locks that a command holds which is held up in the link. */
-  void beginMeanwhile(@Nullable MavlinkConnection connection) {
+  /**
+   * There is no commander any more. Where a write of the reader is held up, the rest is sent past
+   * that, and once more as soon as the reader goes on.
+   */
+  void begin(@Nullable MavlinkConnection connection) {
+    if (!commanded) {
+      return;
+    }
+    owed = true;
+    if (!isBegun(connection)) {
+      beginMeanwhile(connection, () -> true);
+    }
+  }
+
+  /** False where a write seems to be held up. */
+  private boolean isBegun(@Nullable MavlinkConnection connection) {
+    if (!CommandProtocol.isLockedWithin(lock, PATIENCE_MILLIS)) {
+      return false;
+    }
+    try {
+      if (connection != null) {
+        return orders.whileFree(connection.commands(), () -> attempt(connection));
+      }
+      attempt(null);
+      return true;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Sends the same, without the locks that a command holds which is held up in the link.
+   *
+   * @param isDue whether the next commander does not command yet
+   */
+  void beginMeanwhile(@Nullable MavlinkConnection connection, BooleanSupplier isDue) {
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
     if (!commanded || connection == null || vehicle == null || !picture.isWhole()) {
       return;
     }
     if (picture.phase() == Phase.ON_GROUND) {
-      sendNow(new Disarm(), vehicle, connection);
+      sendNow(new Disarm(), vehicle, connection, isDue);
     } else if (!isEndingByItself(vehicle)) {
-      sendNow(new Hold(), vehicle, connection);
+      sendNow(new Hold(), vehicle, connection, isDue);
     }
   }
 
-  private void sendNow(FlightCommand step, Vehicle vehicle, MavlinkConnection connection) {
-    orders.callOffMeanwhile(); // the answer to this is not to be taken for one to that
-    FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
+  private void sendNow(
+      FlightCommand step, Vehicle vehicle, MavlinkConnection connection, BooleanSupplier isDue) {
+    if (orders.callOffMeanwhile(isDue)) { // the answer to this is not to be taken for one to that
+      isSentPast = true;
+      FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
+    }
   }
 
   /** It lands, or flies home to land there. */
@@ -108,22 +154,40 @@ final class FlightRest {
         || picture.isIn(FlightMode.RETURN, vehicle);
   }
 
-  /** Tries again what was not accepted; called again and again. */
-  synchronized void tend(@Nullable MavlinkConnection connection) {
-    if (owed && ticker.nanos() - triedNanos >= AGAIN.toNanos()) {
-      attempt(connection);
+  /**
+   * Tries again what was not accepted; called again and again, by the reader. Does not wait where a
+   * command is being given: whoever closes the link, which may set a command free that is held up,
+   * waits for the reader.
+   */
+  void tend(@Nullable MavlinkConnection connection) {
+    if (!lock.tryLock()) {
+      return;
+    }
+    try {
+      if (owed && ticker.nanos() - triedNanos >= AGAIN.toNanos()) {
+        attempt(connection);
+      }
+    } finally {
+      lock.unlock();
     }
   }
 
   /** An order has ended. */
-  synchronized void ended(String order, CommandResult result, boolean isAlone) {
-    if (order.equals(REST)) {
-      if (result.isAccepted() && owed) {
-        atRest();
+  void ended(String order, CommandResult result, boolean isAlone) {
+    lock.lock();
+    try {
+      if (order.equals(REST)) {
+        if (result.isAccepted() && isSentPast) {
+          isSentPast = false; // this may be its answer; what follows it is to be accepted, too
+        } else if (result.isAccepted() && owed) {
+          atRest();
+        }
+      } else if (!result.isAccepted()) {
+        wanted = null;
+        owed |= isAlone && commanded; // its landing was refused after the commander had gone
       }
-    } else if (!result.isAccepted()) {
-      wanted = null;
-      owed |= isAlone && commanded; // its landing was refused after the commander had gone
+    } finally {
+      lock.unlock();
     }
   }
 

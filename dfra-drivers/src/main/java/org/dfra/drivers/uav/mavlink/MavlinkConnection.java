@@ -250,8 +250,7 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
         heartbeatNanos = now;
         link.write(encoder.heartbeat());
       }
-      if (known != null) {
-        commands.tend();
+      if (known != null && commands.tend()) {
         streams.tend(wanted());
       }
     }

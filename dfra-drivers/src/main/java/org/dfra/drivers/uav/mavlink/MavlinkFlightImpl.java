@@ -10,6 +10,9 @@ import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Text;
 import org.dfra.flow.effector.FlightCommand;
+import org.dfra.flow.effector.FlightCommand.Arm;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightEffector;
 import org.dfra.flow.effector.FlightState;
 import org.dfra.module.NotReadyException;
@@ -154,6 +157,9 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     limits.check(command, here);
     List<MavlinkCommand> steps =
         FlightProcedures.steps(command, vehicle, here, picture.separation(), limits.maxSpeed());
+    if (command instanceof Arm || command instanceof TakeOff || command instanceof GoTo) {
+      halts().prepare(); // what could not be held later is not begun
+    }
     if (!rest.interrupt(command, steps, connection)) {
       throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
     }
@@ -167,7 +173,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   /** {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link FlightRest}. */
   @Override
   protected void restMeanwhile() {
-    rest.beginMeanwhile(port.joined());
+    rest.beginMeanwhile(port.joined(), this::isRestDue);
   }
 
   /** An order has ended; on the reader thread. */

@@ -308,6 +308,32 @@ class PtuImplTest {
     await().until(() -> written().stream().filter("H "::equals).count() == 2);
   }
 
+  @Test
+  void haltsPastAQuestionThatHangsAndOnceMoreAfterIt() throws Exception {
+    beReady();
+    CommandLease lease = unit.command(Duration.ofSeconds(10));
+    unit.obey(lease.key(), new Point(0.1, 0, 1));
+    assertThat(next()).startsWith("PS");
+    say("*\r\n*\r\n*\r\n*\r\n");
+    CountDownLatch release = new CountDownLatch(1);
+    link.holdUpTheReader(release);
+    try {
+      ticker.step(Duration.ofMillis(200));
+      assertThat(next()).isEqualTo("PP ");
+      assertThat(unit.emergencyStop("ops").latched()).isTrue();
+      assertThat(next()).as("while the question hangs").isEqualTo("H ");
+      await().until(() -> unit.stopState().resting());
+    } finally {
+      release.countDown();
+    }
+    assertThat(next()).as("after it").isEqualTo("H ");
+    say("*\r\n"); // the first halt was faster than the question
+    awaitWords();
+    setUp();
+    poll(1, 1);
+    awaitReadiness(Readiness.READY);
+  }
+
   private List<String> written() {
     return link.written().stream()
         .map(each -> new String(each, StandardCharsets.US_ASCII))

@@ -9,6 +9,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.CommandAck;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -28,6 +29,25 @@ class FlightOrdersTest {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  @Test
+  void callsOffTheOrderThatItHasLookedAtAndNoneAfterIt() {
+    CommandProtocol protocol = new CommandProtocol(new StepTicker(false), (command, times) -> {});
+    protocol.found();
+    List<MavlinkCommand> arm = List.of(Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, 1, 0));
+    List<MavlinkCommand> mode = List.of(Plain.of(MavCmd.MAV_CMD_DO_SET_MODE, 1, 4));
+    assertThat(orders.begin("of the first", arm, protocol)).isTrue();
+    boolean isDue =
+        orders.callOffMeanwhile(() -> orders.begin("of the second, just now", mode, protocol));
+    assertThat(isDue).isTrue();
+    protocol.heard(new CommandAck(MavlinkEncoder.number(mode.get(0).id()), 0, 0, 0));
+    assertThat(orders.told()).isEqualTo("of the second, just now: DO_SET_MODE is accepted");
+    assertThat(orders.begin("of the third", arm, protocol)).isTrue();
+    assertThat(orders.callOffMeanwhile(() -> false)).as("it commands by now").isFalse();
+    protocol.heard(new CommandAck(MavlinkEncoder.number(arm.get(0).id()), 0, 0, 0));
+    protocol.heard(new CommandAck(MavlinkEncoder.number(arm.get(0).id()), 0, 0, 0));
+    assertThat(orders.told()).isEqualTo("of the third: COMPONENT_ARM_DISARM is accepted");
   }
 
   @Test

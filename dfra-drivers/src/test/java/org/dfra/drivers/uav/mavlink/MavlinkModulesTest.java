@@ -55,6 +55,10 @@ class MavlinkModulesTest {
           "FD2400000D0101930000FFFFFFFFFFFFFFFFFF7FA00FA00F3C0F3C0FFFFFFFFFFFFFFFFFFFFFFFFF"
               + "6AFF0000013F4737");
 
+  /** {@code COMMAND_ACK} of {@code DO_SET_MODE}, 176. */
+  private static final byte[] MODE_ACCEPTED =
+      summed(hex("FD030000010101" + "4D0000" + "B000000000"), 143);
+
   private final StepTicker ticker = new StepTicker(false);
   private final List<ScriptedLink> links = new CopyOnWriteArrayList<>();
   private final LinkKeeper.Source source =
@@ -107,15 +111,116 @@ class MavlinkModulesTest {
         release.countDown();
       }
       writing.get(60, TimeUnit.SECONDS);
+      await().until(() -> modesSet(link) == 2);
+      say(MODE_ACCEPTED); // the first of them; the second was lost
+      await().until(() -> parameter(flight, "last_order").endsWith("DO_SET_MODE is accepted"));
+      ticker.step(Duration.ofMillis(2100));
+      await("the second is sent again").until(() -> modesSet(link) == 3);
+      say(HEARTBEAT, MODE_ACCEPTED);
+      await().until(() -> link.isTaken());
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      link.awaitLooked();
+      assertThat(modesSet(link)).as("it is at rest").isEqualTo(3);
+    }
+  }
+
+  @Test
+  void holdsItsPlacePastAWriteOfTheReaderThatHangsAndOnceMoreAfterIt() throws Exception {
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
+      link.awaitLooked();
+      CountDownLatch release = new CountDownLatch(1);
+      link.holdUpTheReader(release);
+      long written = link.written().size();
+      try {
+        ticker.step(Duration.ofMillis(750)); // unanswered, so it is sent again
+        await().until(() -> link.written().size() > written);
+        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
+        assertThat(flight.emergencyStop("ops").latched()).isTrue();
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
+        await().until(() -> flight.stopState().resting());
+      } finally {
+        release.countDown();
+      }
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      await("as what the vehicle did not accept").until(() -> modesSet(link) >= 2);
+    }
+  }
+
+  private static long modesSet(ScriptedLink link) {
+    return link.written().stream()
+        .filter(each -> isCommand(each, MavCmd.MAV_CMD_DO_SET_MODE))
+        .count();
+  }
+
+  @Test
+  void aModuleEndsThoughItsCommandHangsInTheLink() throws Exception {
+    MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
+    CountDownLatch release = new CountDownLatch(1);
+    try {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+      link.awaitLooked(); // the reader goes on
+      CompletableFuture.runAsync(flight::close, run -> new Thread(run).start())
+          .get(40, TimeUnit.SECONDS);
+      assertThat(link.isOpen()).isFalse();
+      assertThat(writing).isNotDone();
+    } finally {
+      release.countDown();
+      flight.close();
+    }
+  }
+
+  @Test
+  void aVehicleThatFallsSilentWhileACommandHangsIsNoticed() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      try {
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+        ticker.step(Duration.ofMillis(3100));
+        await("closing it may set the command free").until(() -> !link.isOpen());
+        assertThat(writing).isNotDone();
+      } finally {
+        release.countDown();
+      }
     }
   }
 
   /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
+  private static boolean isCommand(byte[] frame, MavCmd command) {
+    return frame.length > 40
+        && (frame[7] == 76 || frame[7] == 75)
+        && ((frame[38] & 0xFF) | (frame[39] & 0xFF) << 8) == MavlinkEncoder.number(command);
+  }
+
   private static boolean isSent(ScriptedLink link, MavCmd command) {
-    int number = MavlinkEncoder.number(command);
-    return link.written().stream()
-        .filter(each -> each.length > 40 && (each[7] == 76 || each[7] == 75))
-        .anyMatch(each -> ((each[38] & 0xFF) | (each[39] & 0xFF) << 8) == number);
+    return link.written().stream().anyMatch(each -> isCommand(each, command));
   }
 
   @Test
