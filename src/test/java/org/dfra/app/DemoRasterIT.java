@@ -11,9 +11,9 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 /** {@code ./dfra demo raster}: embedded in the everyday tier, with processes in full. */
 class DemoRasterIT extends DemoPlay {
 
-  /** Four lanes of 7.5 m in the west of the field. */
+  /** Three lanes of 7.5 m in the west of the field. */
   private static final String LANES =
-      "48.000022,11.000154 48.000022,11.000248 48.000090,11.000248 48.000090,11.000154";
+      "48.000022,11.000154 48.000022,11.000224 48.000090,11.000224 48.000090,11.000154";
 
   /** A smaller region, without processes. */
   @Test
@@ -21,9 +21,9 @@ class DemoRasterIT extends DemoPlay {
     String said =
         play(
             "raster",
-            List.of("--embedded", "--speed=4", "--region=" + LANES),
+            List.of("--embedded", "--speed=3", "--region=" + LANES),
             "A region becomes lanes",
-            "lanes 1.75 m apart that makes 4 lanes",
+            "lanes 1.74 m apart that makes 3 lanes",
             "Mode embedded: all robots run in one virtual machine",
             "The robots search it, each the other way round than the one before",
             "its registrar is ended, which listed its",
@@ -101,7 +101,7 @@ class DemoRasterIT extends DemoPlay {
     for (String robot : List.of("atrv1", "atrv2")) {
       assertThat(Files.readAllLines(report.resolve(robot + "-path.csv")))
           .as("ten times a second")
-          .hasSizeGreaterThan(300);
+          .hasSizeGreaterThan(200);
     }
     assertThat(Files.readAllLines(report.resolve("collisions.csv"))).as("a header").hasSize(1);
   }
