@@ -4,7 +4,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
 /**
- * {@code ./dfra demo recruit}, which takes minutes. {@code org.dfra.slice.RecruitmentAgentsIT}
+ * {@code ./dfra demo recruit}, which takes minutes. {@code org.dfra.autonomy.RecruitmentAgentsIT}
  * tries its parts in the everyday tier.
  */
 class DemoRecruitIT extends DemoPlay {

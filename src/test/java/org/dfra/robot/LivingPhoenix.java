@@ -32,7 +32,7 @@ public final class LivingPhoenix implements AutoCloseable {
     return start("127.0.0.1", state);
   }
 
-  static LivingPhoenix start(String host, Path state) throws IOException {
+  public static LivingPhoenix start(String host, Path state) throws IOException {
     PhoenixProcess phoenix = new PhoenixProcess(host, FreePorts.next(), -1, state);
     return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }

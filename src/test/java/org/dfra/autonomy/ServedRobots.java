@@ -1,4 +1,4 @@
-package org.dfra.slice;
+package org.dfra.autonomy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.dfra.slice;
+package org.dfra.autonomy;
 
 import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;

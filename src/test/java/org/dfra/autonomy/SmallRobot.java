@@ -1,4 +1,4 @@
-package org.dfra.slice;
+package org.dfra.autonomy;
 
 import java.time.Instant;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package org.dfra.robot;
+package org.dfra.bringup;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -23,6 +23,7 @@ import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.robot.LivingPhoenix;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -1,4 +1,4 @@
-package org.dfra.robot;
+package org.dfra.bringup;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;

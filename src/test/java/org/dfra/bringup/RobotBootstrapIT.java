@@ -1,4 +1,4 @@
-package org.dfra.robot;
+package org.dfra.bringup;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -42,6 +42,7 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.GroupStatus;
+import org.dfra.robot.LivingPhoenix;
 import org.dfra.sim.device.M12Emulator;
 import org.dfra.sim.device.M12Settings;
 import org.dfra.testing.EmbeddedReggie;

@@ -1,4 +1,4 @@
-package org.dfra.robot;
+package org.dfra.bringup;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -36,6 +36,7 @@ import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.robot.LivingPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
