@@ -61,30 +61,73 @@ public record Timing(Duration took, Duration stalled, double load) {
 
   /** The same, for a test that runs alone or not, with a place for the line. */
   void requireWithin(String what, Duration bound, boolean alone, PrintStream out) {
-    switch (against(bound)) {
-      case MET -> {}
-      case MISSED_DURING_A_STALL -> out.println("MISSED DURING A STALL: " + sentence(what, bound));
-      case MISSED_DURING_AN_OVERLOAD -> {
-        if (alone) {
-          throw new AssertionError(sentence(what, bound));
-        }
-        // "./dfra test" looks for these words and repeats the test.
-        out.println("MISSED DURING AN OVERLOAD: " + sentence(what, bound));
-      }
-      case MISSED -> throw new AssertionError(sentence(what, bound));
-    }
+    String missed =
+        String.format(
+            Locale.ROOT,
+            "%s took %.3f s, bound %.3f s",
+            what,
+            took.toNanos() / 1e9,
+            bound.toNanos() / 1e9);
+    require(against(bound), missed, alone, out);
   }
 
-  private String sentence(String what, Duration bound) {
-    return String.format(
-        Locale.ROOT,
-        "%s took %.3f s, bound %.3f s; the computer stalled for %.3f s of it, with %.1f runnable"
-            + " threads per processor",
-        what,
-        took.toNanos() / 1e9,
-        bound.toNanos() / 1e9,
-        stalled.toNanos() / 1e9,
-        load);
+  /**
+   * How often something happened that is not to happen, unless the computer stalls.
+   *
+   * @param count how often it happened
+   * @param each how long a stall is that explains it once
+   */
+  public Outcome against(long count, Duration each) {
+    if (count == 0) {
+      return Outcome.MET;
+    }
+    if (count <= stalled.dividedBy(each)) {
+      return Outcome.MISSED_DURING_A_STALL;
+    }
+    return load >= OVERLOAD ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
+  }
+
+  /**
+   * Returns if something that is not to happen did not. Returns, too, and prints a line that says
+   * so, if it happened no more often than stalls explain, or if there was an overload and the test
+   * does not run alone.
+   *
+   * @param what what happened
+   * @param count how often it happened
+   * @param each how long a stall is that explains it once
+   * @throws AssertionError if it happened more often
+   */
+  public void requireNone(String what, long count, Duration each) {
+    String missed =
+        String.format(
+            Locale.ROOT,
+            "%s: %d, where only each stall of %.3f s explains one",
+            what,
+            count,
+            each.toNanos() / 1e9);
+    require(against(count, each), missed, Boolean.getBoolean(ALONE), System.out);
+  }
+
+  private void require(Outcome outcome, String missed, boolean alone, PrintStream out) {
+    String sentence =
+        String.format(
+            Locale.ROOT,
+            "%s; the computer stalled for %.3f s of it, with %.1f runnable threads per processor",
+            missed,
+            stalled.toNanos() / 1e9,
+            load);
+    switch (outcome) {
+      case MET -> {}
+      case MISSED_DURING_A_STALL -> out.println("MISSED DURING A STALL: " + sentence);
+      case MISSED_DURING_AN_OVERLOAD -> {
+        if (alone) {
+          throw new AssertionError(sentence);
+        }
+        // "./dfra test" looks for these words and repeats the test.
+        out.println("MISSED DURING AN OVERLOAD: " + sentence);
+      }
+      case MISSED -> throw new AssertionError(sentence);
+    }
   }
 
   /** How a time compares with its bound. */

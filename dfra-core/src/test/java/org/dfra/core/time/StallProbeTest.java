@@ -96,6 +96,22 @@ class StallProbeTest {
     assertThatThrownBy(() -> said(both, true)).isInstanceOf(AssertionError.class);
   }
 
+  @Test
+  void whatIsNotToHappenMayHappenOncePerStallThatExplainsIt() {
+    Duration each = Duration.ofSeconds(1);
+    Timing idle = new Timing(Duration.ofSeconds(60), Duration.ZERO, 0.5);
+    assertThat(idle.against(0, each)).isEqualTo(Outcome.MET);
+    assertThat(idle.against(1, each)).isEqualTo(Outcome.MISSED);
+    assertThatThrownBy(() -> idle.requireNone("lost links", 1, each))
+        .isInstanceOf(AssertionError.class)
+        .hasMessageStartingWith("lost links: 1, where only each stall of 1.000 s explains one;");
+    Timing stalled = new Timing(Duration.ofSeconds(60), Duration.ofMillis(2900), 0.5);
+    assertThat(stalled.against(2, each)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    assertThat(stalled.against(3, each)).isEqualTo(Outcome.MISSED);
+    Timing overloaded = new Timing(Duration.ofSeconds(60), Duration.ofMillis(2900), 2.5);
+    assertThat(overloaded.against(3, each)).isEqualTo(Outcome.MISSED_DURING_AN_OVERLOAD);
+  }
+
   /** What it prints; not to the console, or ./dfra test would repeat this test. */
   private static String said(Timing timing, boolean alone) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
