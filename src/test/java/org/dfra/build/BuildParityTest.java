@@ -96,6 +96,22 @@ class BuildParityTest {
         .contains("gradleProperty(\"dfra.seed\").getOrElse(\"" + seed.group(1) + "\")");
   }
 
+  @Test
+  void bothBuildsHandTheSamePropertiesToTheTests() {
+    String pom = Repository.read(Repository.root().resolve("pom.xml"));
+    String script =
+        GradleBuild.withoutComments(Repository.read(Repository.root().resolve("build.gradle.kts")));
+    String handed =
+        pom.substring(
+            pom.indexOf("<systemPropertyVariables>"), pom.indexOf("</systemPropertyVariables>"));
+    assertThat(Pattern.compile("<(dfra\\.\\w+)>").matcher(handed).results().map(m -> m.group(1)))
+        .contains("dfra.alone", "dfra.full", "dfra.soak", "dfra.seed")
+        .allMatch(
+            name ->
+                script.contains("systemProperty(\"" + name + "\", ")
+                    || script.contains("-D" + name + "="));
+  }
+
   /** The accessor's first letters are small: Gradle answers "Unresolved reference: Java". */
   @Test
   void spellsTheCatalogsAccessorsAsGradleDoes() throws IOException {

@@ -21,7 +21,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import net.jini.admin.Administrable;
 import net.jini.core.entry.Entry;
@@ -36,6 +35,8 @@ import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
 import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
@@ -72,8 +73,8 @@ public class ShutdownOrderTest {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final Duration TO_CLOSED = Duration.ofMillis(500);
 
-  /** One second, and what a module needs besides to end. */
-  private static final Duration TO_END = Duration.ofMillis(1500);
+  /** The requirement for all registrations together. */
+  private static final Duration TO_END = Duration.ofSeconds(1);
 
   /** What happened, in order: {@code halted}, {@code closed}, {@code leaves}. */
   private static final List<String> STEPS = new CopyOnWriteArrayList<>();
@@ -320,15 +321,16 @@ public class ShutdownOrderTest {
 
   /** In order for certain, and in time where the computer had any for this test. */
   private static void assertEndsInTime(Ended body) throws Exception {
-    Stalls stalls = new Stalls();
-    long began = System.nanoTime();
-    body.end();
-    Duration took = Duration.ofNanos(System.nanoTime() - began);
-    Duration toClosed = Duration.ofNanos(closedAt - began);
-    Duration stalled = stalls.end();
-    System.out.printf(
-        "driver closed after %d ms, all ended after %d ms, the computer stalled for %d ms%n",
-        toClosed.toMillis(), took.toMillis(), stalled.toMillis());
+    Timing toClosed;
+    Timing toEnd;
+    try (StallProbe probe = StallProbe.start()) {
+      StallProbe.Stopwatch begun = probe.stopwatch();
+      long began = System.nanoTime();
+      body.end();
+      toEnd = begun.stop();
+      toClosed = new Timing(Duration.ofNanos(closedAt - began), toEnd.stalled(), toEnd.load());
+    }
+    System.out.printf("driver closed: %s; all ended: %s%n", toClosed, toEnd);
     assertThat(STEPS.indexOf("closed")).as("steps " + STEPS).isNotNegative();
     assertThat(STEPS.subList(0, STEPS.indexOf("closed"))).doesNotContain("leaves");
     await("the others are asked beside each other")
@@ -338,39 +340,8 @@ public class ShutdownOrderTest {
                 assertThat(STEPS.stream().filter("leaves"::equals).count())
                     .as("steps " + STEPS)
                     .isEqualTo(REGISTRARS));
-    assertThat(toClosed).isLessThan(TO_CLOSED.plus(stalled));
-    assertThat(took).isLessThan(TO_END.plus(stalled));
-  }
-
-  /** How long the computer kept a thread waiting that wanted to run every 10 ms, all in all. */
-  private static final class Stalls {
-
-    private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-
-    private final Thread prober = new Thread(this::probe, "stall probe");
-    private volatile long lateNanos;
-
-    Stalls() {
-      prober.setDaemon(true);
-      prober.start();
-    }
-
-    @SuppressWarnings("ThreadPriorityCheck")
-    private void probe() {
-      long last = System.nanoTime();
-      while (!Thread.currentThread().isInterrupted()) {
-        java.util.concurrent.locks.LockSupport.parkNanos(PERIOD_NANOS);
-        long now = System.nanoTime();
-        lateNanos += Math.max(0, now - last - 2 * PERIOD_NANOS);
-        last = now;
-      }
-    }
-
-    Duration end() throws InterruptedException {
-      prober.interrupt();
-      prober.join();
-      return Duration.ofNanos(lateNanos);
-    }
+    toClosed.requireWithin("closing the driver", TO_CLOSED);
+    toEnd.requireWithin("ending a module that six silent registrars hold", TO_END);
   }
 
   @Test
@@ -385,11 +356,11 @@ public class ShutdownOrderTest {
             new SuppliedConfiguration(
                 Map.of("net.jini.lookup.JoinManager.serviceLeasePreparer", () -> silence)))) {
       awaitRegistrations();
-      Stalls stalls = new Stalls();
-      long began = System.nanoTime();
-      join.close();
-      Duration took = Duration.ofNanos(System.nanoTime() - began);
-      assertThat(took).isLessThan(TO_END.plus(stalls.end()));
+      try (StallProbe probe = StallProbe.start()) {
+        StallProbe.Stopwatch begun = probe.stopwatch();
+        join.close();
+        begun.stop().requireWithin("leaving six silent registrars", TO_END);
+      }
     }
   }
 }

@@ -7,7 +7,6 @@ import java.io.InputStreamReader;
 import java.io.ObjectOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
-import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -16,6 +15,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import net.jini.core.discovery.LookupLocator;
@@ -23,6 +24,8 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.io.MarshalOutputStream;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.DeliveryPolicy;
@@ -50,6 +53,8 @@ final class HostClient implements AutoCloseable {
   private final JiniModuleDirectory directory;
   private final Map<String, GPSSensor> used = new ConcurrentHashMap<>();
   private final Map<String, Subscription> subscriptions = new TreeMap<>();
+  private final Map<String, Timing> changes = new ConcurrentHashMap<>();
+  private final StallProbe probe = StallProbe.start();
 
   private HostClient(String group) throws IOException {
     this.directory = new JiniModuleDirectory(address, List.of(group), List.of());
@@ -89,6 +94,8 @@ final class HostClient implements AutoCloseable {
       case "call" -> call(of);
       case "listen" -> listen(of);
       case "heard" -> heard(of);
+      case "watch" -> watch(of);
+      case "changed" -> changed(of);
       default -> throw new IllegalArgumentException(verb);
     };
   }
@@ -134,17 +141,51 @@ final class HostClient implements AutoCloseable {
     return bytes.toString(StandardCharsets.ISO_8859_1);
   }
 
-  /** Reads a receiver's position and says how long that took, in milliseconds. */
+  /** A measurement as {@code took stalled load}: nanoseconds twice, and a number. */
+  private static String written(Timing timing) {
+    return timing.took().toNanos() + " " + timing.stalled().toNanos() + " " + timing.load();
+  }
+
+  /** Reads a receiver's position and says how long that took, and what came of it. */
   private String call(String path) {
     GPSSensor gps = module(path);
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     String outcome;
     try {
       outcome = gps.fix().position() == null ? "nothing" : "ok";
     } catch (RemoteException e) {
       outcome = e.getClass().getSimpleName();
     }
-    return Duration.ofNanos(System.nanoTime() - began).toMillis() + " " + outcome;
+    return written(began.stop()) + " " + outcome;
+  }
+
+  /** From now on awaits that a subscription is interrupted, or listens again, and times that. */
+  private String watch(String path) {
+    Subscription subscription = subscriptions.get(path);
+    boolean before = subscription.interruptedSince().isPresent();
+    StallProbe.Stopwatch began = probe.stopwatch();
+    changes.remove(path);
+    Thread watcher =
+        new Thread(
+            () -> {
+              while (subscription.isOpen()) {
+                if (subscription.interruptedSince().isPresent() != before) {
+                  changes.put(path, began.stop());
+                  return;
+                }
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(10));
+              }
+            },
+            "watch of " + path);
+    watcher.setDaemon(true);
+    watcher.start();
+    return path;
+  }
+
+  /** What {@code watch} has measured; {@code -} where nothing has changed yet. */
+  private String changed(String path) {
+    Timing change = changes.get(path);
+    return change == null ? "-" : written(change);
   }
 
   private String listen(String path) throws RemoteException {
@@ -183,5 +224,6 @@ final class HostClient implements AutoCloseable {
     subscriptions.values().forEach(Subscription::close);
     directory.close();
     requests.close();
+    probe.close();
   }
 }

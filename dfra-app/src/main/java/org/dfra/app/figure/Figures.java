@@ -50,10 +50,11 @@ public final class Figures {
    * Appends them to a CSV file, which is begun with a header where it does not exist; with the
    * machine's load, of the last minute, since that spoils figures.
    *
-   * @param kind what is measured by, the column's heading: {@code demo} or {@code bench}
+   * @param kind what is measured by, the column's heading: {@code demo}, {@code bench} or {@code
+   *     soak}
    * @param name which one of these
    */
-  void append(Path file, String kind, String name) throws IOException {
+  public void append(Path file, String kind, String name) throws IOException {
     StringBuilder rows = new StringBuilder();
     if (!Files.exists(file)) {
       rows.append("when,").append(kind);

@@ -36,6 +36,10 @@ class HeldUpDriverTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final Duration LEASE = Duration.ofSeconds(30);
+
+  /** The command time-out's 0.3 s; 50 ms for the timer, the write and this test's own look. */
+  private static final Duration HALTED = Duration.ofMillis(350);
+
   private static final Velocity AHEAD = new Velocity(0.5, 0);
   private static final String TURNED = "turn 0.5 0.0";
 
@@ -233,7 +237,7 @@ class HeldUpDriverTest {
           .pollInterval(Duration.ofMillis(5))
           .atMost(PATIENCE)
           .until(() -> wheels.told.contains("halt"));
-      begun.stop().requireWithin("the halt after the last velocity", Duration.ofMillis(500));
+      begun.stop().requireWithin("the halt after the last velocity", HALTED);
     }
     assertThat(wheels.drive().silences()).isEqualTo(1);
   }

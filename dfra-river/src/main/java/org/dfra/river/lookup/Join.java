@@ -16,8 +16,11 @@ import org.dfra.time.Scheduler;
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class Join implements AutoCloseable {
 
-  /** How long all lookup services together may take to forget the module. */
-  static final Duration PATIENCE = Duration.ofSeconds(1);
+  /**
+   * How long all lookup services together may take to forget the module. The rest of a second is
+   * for all else that the end of a module takes.
+   */
+  static final Duration PATIENCE = Duration.ofMillis(800);
 
   private final Discovery discovery;
   private final JoinManager manager;
@@ -92,7 +95,7 @@ public final class Join implements AutoCloseable {
 
   /**
    * Takes the module out of every lookup service it joined, or was about to join. All of them are
-   * asked at the same time, and awaited for 1 s in all. A lookup service that does not answer by
+   * asked at the same time, and awaited for 0.8 s in all. A lookup service that does not answer by
    * then forgets the module when its lease expires. A registration that is under way is cancelled
    * as soon as it is granted.
    */
