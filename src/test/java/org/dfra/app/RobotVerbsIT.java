@@ -107,7 +107,7 @@ class RobotVerbsIT {
     assertThat(again.out())
         .startsWith("Phoenix answers on port ")
         .contains("Kept: t1/warmth in group one; nothing of it has changed.");
-    Outcome status = robot.process("status");
+    Outcome status = robot.inTerminalWithoutColours("status");
     assertThat(status.exit()).as(status.err()).isZero();
     assertThat(status.out())
         .as("one launch, though it was brought up twice")
@@ -374,7 +374,14 @@ class RobotVerbsIT {
       return plain(processes.dfra(PATIENCE, with(state(), arguments)));
     }
 
-    /** Nothing here is a terminal, so there are no colours. */
+    /** As a process in a terminal of which somebody wants no colours. */
+    Outcome inTerminalWithoutColours(String... arguments) throws Exception {
+      MarkedProcesses terminal = new MarkedProcesses(folder, "-Dpicocli.ansi=true");
+      terminal.set("NO_COLOR", "1");
+      return plain(terminal.dfra(PATIENCE, with(state(), arguments)));
+    }
+
+    /** Nothing here is a terminal with colours. */
     private static Outcome plain(Outcome outcome) {
       assertThat(outcome.out() + outcome.err())
           .as("control characters")
