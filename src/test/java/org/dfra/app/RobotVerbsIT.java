@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
@@ -44,6 +45,12 @@ class RobotVerbsIT {
 
   /** No discovery group: what is found is found by locators. */
   private static final String TEAM = "--team=";
+
+  /** Why a module is not ready whose device does not answer. */
+  private static final Pattern NO_LINK =
+      Pattern.compile(
+          "t1/gps is initializing: tcp://127\\.0\\.0\\.1:\\d+: no connection within 2 s"
+              + " \\(Connection refused\\)");
 
   @TempDir static Path folder;
 
@@ -100,7 +107,7 @@ class RobotVerbsIT {
     assertThat(again.out())
         .startsWith("Phoenix answers on port ")
         .contains("Kept: t1/warmth in group one; nothing of it has changed.");
-    Outcome status = robot.process("status");
+    Outcome status = robot.inTerminalWithoutColours("status");
     assertThat(status.exit()).as(status.err()).isZero();
     assertThat(status.out())
         .as("one launch, though it was brought up twice")
@@ -247,17 +254,33 @@ class RobotVerbsIT {
             """
             <robot xmlns="urn:dfra:robot:1" name="t1" host="127.0.0.2">
               <lookup locators="127.0.0.1:%d"/>
-              <group name="one">%s</group>
+              <group name="one">
+                %s
+                <module name="gps" properties="%s">
+                  <parameter name="link" value="tcp://127.0.0.1:%d"/>
+                </module>
+              </group>
             </robot>
             """
-                .formatted(robot.registrar(), module("warmth", 23)));
+                .formatted(
+                    robot.registrar(),
+                    module("warmth", 23),
+                    Path.of(System.getProperty("dfra.root"), "config/modules/m12plus.properties"),
+                    FreePorts.next())); // where nobody answers
     Outcome up = namesake.up();
     assertThat(up.exit()).as("it comes up all the same: " + up.err()).isZero();
     assertThat(up.err())
         .contains("ANOTHER ROBOT IS NAMED t1, on 127.0.0.1, and this one on 127.0.0.2; ");
 
-    Outcome list = robot.here("module", "list", TEAM);
-    assertThat(list.out()).contains("127.0.0.1", "127.0.0.2");
+    Outcome list =
+        await()
+            .atMost(PATIENCE) // its driver may be about to try its link first
+            .until(
+                () -> robot.here("module", "list", TEAM),
+                each -> NO_LINK.matcher(each.out()).find());
+    assertThat(list.out())
+        .contains("127.0.0.1", "127.0.0.2")
+        .containsPattern("t1/gps +GPSSensor +initializing ");
     assertThat(list.err()).contains("2 robots are named t1, on 127.0.0.1 and 127.0.0.2; ");
     fails(
         3,
@@ -267,7 +290,9 @@ class RobotVerbsIT {
     assertThat(well(robot.here("module", "call", "t1@127.0.0.2/warmth", "celsius", TEAM)))
         .startsWith("23");
     Outcome doctor = robot.here("doctor", TEAM);
-    assertThat(doctor.out()).contains("2 robots are named t1, on 127.0.0.1 and 127.0.0.2");
+    assertThat(doctor.out())
+        .contains("2 robots are named t1, on 127.0.0.1 and 127.0.0.2")
+        .containsPattern("WARN +module +" + NO_LINK.pattern());
     assertThat(doctor.exit()).isEqualTo(1);
     String unused = well(namesake.here("down"));
     namesake.awaitEnd();
@@ -346,7 +371,22 @@ class RobotVerbsIT {
 
     /** Runs a command as a user does. */
     Outcome process(String... arguments) throws Exception {
-      return processes.dfra(PATIENCE, with(state(), arguments));
+      return plain(processes.dfra(PATIENCE, with(state(), arguments)));
+    }
+
+    /** As a process in a terminal of which somebody wants no colours. */
+    Outcome inTerminalWithoutColours(String... arguments) throws Exception {
+      MarkedProcesses terminal = new MarkedProcesses(folder, "-Dpicocli.ansi=true");
+      terminal.set("NO_COLOR", "1");
+      return plain(terminal.dfra(PATIENCE, with(state(), arguments)));
+    }
+
+    /** Nothing here is a terminal with colours. */
+    private static Outcome plain(Outcome outcome) {
+      assertThat(outcome.out() + outcome.err())
+          .as("control characters")
+          .doesNotContainPattern("[\\p{Cntrl}&&[^\n]]");
+      return outcome;
     }
 
     /** The same in the test's own process, for what starts none. */
@@ -355,7 +395,7 @@ class RobotVerbsIT {
       boolean isPatient =
           words.contains(TEAM) && words.stream().noneMatch(each -> each.startsWith("--wait="));
       String[] all = with(state(), arguments);
-      return MarkedProcesses.here(isPatient ? with("--wait=20", all) : all);
+      return plain(MarkedProcesses.here(isPatient ? with("--wait=20", all) : all));
     }
 
     private String state() {

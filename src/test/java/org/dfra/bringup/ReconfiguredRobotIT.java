@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
@@ -19,6 +21,8 @@ import java.util.UUID;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.dfra.app.InProcessCommand;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
@@ -31,6 +35,7 @@ import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.bootstrap.BringUpStep;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -63,6 +68,9 @@ class ReconfiguredRobotIT {
   @BeforeAll
   static void startPhoenix() throws IOException {
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    PhoenixProcess process = phoenix.process();
+    Files.writeString(
+        process.state().resolve("phoenix.address"), process.host() + ":" + process.port());
     port = FreePorts.next();
   }
 
@@ -143,11 +151,26 @@ class ReconfiguredRobotIT {
   }
 
   private static RobotDescription described(String robot, String groups) throws IOException {
-    return RobotXml.read(
-        Files.writeString(
-            folder.resolve(robot + ".xml"),
-            "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"%s\">\n%s</robot>\n"
-                .formatted(robot, HOST, groups)));
+    return RobotXml.read(xml(robot, groups));
+  }
+
+  private static Path xml(String robot, String groups) throws IOException {
+    return Files.writeString(
+        folder.resolve(robot + ".xml"),
+        "<robot xmlns=\"urn:dfra:robot:1\" name=\"%s\" host=\"%s\">\n%s</robot>\n"
+            .formatted(robot, HOST, groups));
+  }
+
+  /** What {@code ./dfra} answers, which is run here. */
+  private static String dfra(String... words) {
+    String state = "--state=" + phoenix.process().state();
+    InProcessCommand run =
+        InProcessCommand.run(
+            Stream.concat(Stream.of(words), Stream.of(state)).toArray(String[]::new));
+    phoenix.note();
+    assertThat(run.code()).as(run.out() + run.err()).isZero();
+    assertThat(run.out() + run.err()).as("in a pipe").doesNotContainPattern("[\\p{Cntrl}&&[^\\n]]");
+    return run.out();
   }
 
   private static String inWords(BringUpStep step) {
@@ -207,6 +230,41 @@ class ReconfiguredRobotIT {
         .until(() -> directory.find(ModuleQuery.of(Thermometer.class).name("eye")).isEmpty());
   }
 
+  /** As a user types it, and reads what was done. */
+  @Test
+  void upSaysWhatItMovedEndedAndTookFromAVariable() throws Exception {
+    String variable = "DFRA_MU_EYE_LINK";
+    String linked =
+        module("eye", 1)
+            .replace(device("eye").toString(), "${" + variable + ":-" + device("eye") + "}");
+    Path xml = xml("mu", lookup() + group("two", module("drive", 1) + linked));
+    System.setProperty(variable, device("other").toString()); // as an environment variable
+    try {
+      assertThat(dfra("up", xml.toString()))
+          .contains(
+              "Ended: group mu.one; the robot's XML does not have it any more.",
+              "Kept: mu/registrar in group lookup; nothing of it has changed.",
+              "Moved: mu/drive in group two; it was in group one.",
+              "Restarted: mu/eye in group two; changed: parameter device.");
+    } finally {
+      System.clearProperty(variable);
+    }
+    String process = Long.toString(phoenix.group("mu.two").pid());
+    assertThat(device("drive")).as("one process has it").hasContent(process);
+    assertThat(device("other")).hasContent(process);
+    assertThat(device("eye")).doesNotExist();
+
+    xml("mu", lookup() + drive(1, "two"));
+    assertThat(dfra("up", xml.toString()))
+        .contains(
+            "Ended: mu/eye in group two; the robot's XML does not have it there any more.",
+            "Kept: mu/drive in group two; nothing of it has changed.");
+    assertThat(device("other")).doesNotExist();
+    assertThat(device("drive")).hasContent(process);
+    assertThat(dfra("status", xml.toString()))
+        .containsPattern("mu\\.two +active +" + process + " +\\d+ +\\d+ +drive\n");
+  }
+
   @Test
   void onlyWhatWasChangedIsStartedAnew() throws Exception {
     Thermometer drive = listed("drive").module();
@@ -262,18 +320,25 @@ class ReconfiguredRobotIT {
                 + port
                 + " is used by robot mu's registrar; give one of the two another port, or"
                 + " ./dfra down mu");
-    try (var taken = new java.net.ServerSocket(0, 0, java.net.InetAddress.getByName(HOST))) {
-      assertThatThrownBy(
-              () ->
-                  up(
-                      "nu",
-                      group(
-                          "lookup",
-                          "<registrar port=\"" + taken.getLocalPort() + "\" classes=\"off\"/>\n")))
-          .hasMessageContaining("nu/registrar did not start: port " + taken.getLocalPort());
+    String lamp = module("lamp", 9);
+    try (var taken = new ServerSocket(0, 0, InetAddress.getByName(HOST))) {
+      String registrar = "<registrar port=\"" + taken.getLocalPort() + "\" classes=\"off\"/>\n";
+      String why = "nu/registrar did not start: port " + taken.getLocalPort();
+      assertThatThrownBy(() -> up("nu", group("lookup", registrar + lamp)))
+          .hasMessageContaining(why);
+      assertThat(groups()).noneMatch(name -> name.startsWith("nu."));
+      assertThat(new KnownRobots(phoenix.process().state()).isKnown("nu")).isFalse();
+
+      up("nu", group("lookup", lamp));
+      assertThatThrownBy(() -> up("nu", group("lookup", registrar + lamp)))
+          .hasMessageContaining(why);
+      assertThat(dfra("status", folder.resolve("nu.xml").toString()))
+          .as("the module works on, and there is no registrar")
+          .containsPattern("nu\\.lookup +active +\\d+ +1 +0 +lamp\n")
+          .doesNotContain("registrar");
+    } finally {
+      RobotRemoval.of(phoenix.process(), "nu", PATIENCE);
     }
-    assertThat(groups()).noneMatch(name -> name.startsWith("nu."));
-    assertThat(new KnownRobots(phoenix.process().state()).isKnown("nu")).isFalse();
   }
 
   @Test
@@ -284,8 +349,9 @@ class ReconfiguredRobotIT {
       processes.add(ProcessHandle.of(phoenix.group(group).pid()).orElseThrow());
     }
 
-    RobotRemoval.of(phoenix.process(), "mu", PATIENCE);
+    assertThat(dfra("down", "mu")).isEqualToIgnoringNewLines("mu is down.");
 
+    assertThat(dfra("status")).startsWith("Phoenix answers, but no such robot is up on this host.");
     assertThat(processes).noneMatch(ProcessHandle::isAlive);
     assertThat(groups()).noneMatch(name -> name.startsWith("mu."));
     assertThat(device("drive")).doesNotExist();

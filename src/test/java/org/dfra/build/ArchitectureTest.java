@@ -1,8 +1,13 @@
 package org.dfra.build;
 
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
 import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaAccess.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -10,13 +15,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.Arrays;
+import org.dfra.app.figure.Figures;
+import org.dfra.app.figure.ReportHead;
+import org.dfra.app.plot.HtmlReport;
+import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -219,6 +230,41 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage(TESTING));
+  }
+
+  /** So no control loop, renewal or delivery can make one late; see what-stops-a-robot.md. */
+  @Test
+  void onlyCommandTimeoutsUseTheirTimer() {
+    DescribedPredicate<JavaAccess<?>> timer =
+        target(name("commandTimer")).and(target(owner(assignableTo(Scheduler.class))));
+    String timeout = "org.dfra.core.effector.CommandTimeout";
+    DescribedPredicate<JavaClass> time = assignableTo(Scheduler.class).as("a time itself");
+    check(
+        CORE, noClasses().that(not(time).and(not(name(timeout)))).should().callMethodWhere(timer));
+    check(CORE, classes().that().haveFullyQualifiedName(timeout).should().callMethodWhere(timer));
+    check(
+        CORE,
+        noClasses()
+            .that(not(resideInAPackage("org.dfra.core.effector")))
+            .should()
+            .dependOnClassesThat()
+            .haveFullyQualifiedName(timeout));
+  }
+
+  @Test
+  void everyReportBeginsWithItsVerdictAndItsTargets() {
+    check(
+        new String[] {"org.dfra.app.."},
+        classes()
+            .that(
+                describe(
+                    "make a report",
+                    each ->
+                        each.getConstructorCallsFromSelf().stream()
+                            .anyMatch(
+                                call -> call.getTargetOwner().isEquivalentTo(HtmlReport.class))))
+            .should()
+            .callMethod(ReportHead.class, "add", HtmlReport.class, Figures.class, Instant.class));
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
@@ -63,6 +64,26 @@ class RepositoryTest {
                 .filter(directory -> !Files.exists(directory.resolve("package-info.java"))))
         .as("packages without package-info.java")
         .isEmpty();
+  }
+
+  /** A test that is not run every day is named with the reason, and with what is tested instead. */
+  @Test
+  void theDecisionNamesEachTestWithoutAShortForm() throws IOException, InterruptedException {
+    Path root = Repository.root();
+    assumeTrue(Files.exists(root.resolve(".git")), "this is no git checkout");
+    String only = "@EnabledIfSystemProperty(named = \"dfra.full\"";
+    List<String> tests = new ArrayList<>();
+    for (Path file : gitFiles(root)) {
+      String name = file.getFileName().toString();
+      if (name.matches(".*(Test|IT)\\.java")
+          && !name.equals("RepositoryTest.java")
+          && Files.readString(file).contains(only)) {
+        tests.add("`" + name.replace(".java", "") + "`");
+      }
+    }
+    assertThat(tests).contains("`DemoFoundationIT`");
+    assertThat(Files.readString(root.resolve("docs/decisions/028-three-tiers-of-tests.md")))
+        .contains(tests);
   }
 
   private static boolean isBinary(Path file) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
+import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import org.dfra.core.module.ModuleContext;
@@ -21,8 +22,9 @@ import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
-/** Two robots of one name, on two hosts of one team: each uses its own modules only. */
+/** Two robots of one name in one team, on two hosts or on one: each uses its own modules only. */
 class NamesakeModulesTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -91,6 +93,47 @@ class NamesakeModulesTest {
           .hasMessageContaining("there is none");
 
       try (ThermometerServer own = first(EmbeddedReggie.HOST, 1).serve()) {
+        assertThat(own).isNotSameAs(other);
+        await()
+            .atMost(PATIENCE)
+            .ignoreException(NotReadyException.class)
+            .until(() -> asked.celsius() == 1);
+        await().atMost(PATIENCE).until(() -> all.find(named).size() == 2);
+        assertThat(asked.celsius()).isEqualTo(1);
+      }
+      await().atMost(PATIENCE).until(() -> all.find(named).size() == 1);
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () -> assertThatThrownBy(asked::celsius).isInstanceOf(NotReadyException.class));
+    }
+  }
+
+  /** Each has a phoenix and a state folder of its own. */
+  @Test
+  void norOneOfAnotherRobotOfThatNameOnItsOwnHost(@TempDir Path folder) throws Exception {
+    Path here = folder.resolve("here");
+    ServedModule<ThermometerServer> second =
+        ServedModule.of(ThermometerServer.class, ThermometerProxy.class, SecondHandImpl.class)
+            .named("second")
+            .with("first", "first")
+            .joining(REGGIE)
+            .keptIn(here);
+    ServedModule<ThermometerServer> namesakes = first(EmbeddedReggie.HOST, 99);
+    ModuleQuery<Thermometer> named = ModuleQuery.of(Thermometer.class).name("first");
+    try (JiniModuleDirectory all = REGGIE.directory();
+        ThermometerServer other = namesakes.keptIn(folder.resolve("there")).serve();
+        ThermometerServer asking = second.serve()) {
+      assertThat(other).isNotSameAs(asking);
+      Thermometer asked =
+          all.findFirst(ModuleQuery.of(Thermometer.class).name("second"), PATIENCE)
+              .orElseThrow()
+              .module();
+      await().atMost(PATIENCE).until(() -> all.find(named).size() == 1);
+      assertThatThrownBy(asked::celsius)
+          .isInstanceOf(NotReadyException.class)
+          .hasMessageContaining("there is none");
+      try (ThermometerServer own = first(EmbeddedReggie.HOST, 1).keptIn(here).serve()) {
         assertThat(own).isNotSameAs(other);
         await()
             .atMost(PATIENCE)

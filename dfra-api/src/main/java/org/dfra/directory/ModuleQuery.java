@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
@@ -31,6 +32,7 @@ public final class ModuleQuery<M extends Module> {
   private final @Nullable String name;
   private final List<AttributeTest> tests;
   private final @Nullable Circle circle;
+  private final List<Predicate<ModuleListing<?>>> others;
 
   /** Round a point whose height is 0, since height does not count. */
   private record Circle(double metres, GeoPosition centre) {
@@ -44,12 +46,14 @@ public final class ModuleQuery<M extends Module> {
       @Nullable String robot,
       @Nullable String name,
       List<AttributeTest> tests,
-      @Nullable Circle circle) {
+      @Nullable Circle circle,
+      List<Predicate<ModuleListing<?>>> others) {
     this.kind = kind;
     this.robot = robot;
     this.name = name;
     this.tests = tests;
     this.circle = circle;
+    this.others = others;
   }
 
   /**
@@ -62,7 +66,7 @@ public final class ModuleQuery<M extends Module> {
       throw new IllegalArgumentException(
           kind.getName() + " is a class; ask for an interface, since a proxy is of another class");
     }
-    return new ModuleQuery<>(kind, null, null, List.of(), null);
+    return new ModuleQuery<>(kind, null, null, List.of(), null, List.of());
   }
 
   /**
@@ -95,12 +99,12 @@ public final class ModuleQuery<M extends Module> {
 
   /** Only on this robot. */
   public ModuleQuery<M> robot(String wanted) {
-    return new ModuleQuery<>(kind, wanted, name, tests, circle);
+    return new ModuleQuery<>(kind, wanted, name, tests, circle, others);
   }
 
   /** Only with this name. */
   public ModuleQuery<M> name(String wanted) {
-    return new ModuleQuery<>(kind, robot, wanted, tests, circle);
+    return new ModuleQuery<>(kind, robot, wanted, tests, circle, others);
   }
 
   /**
@@ -113,7 +117,18 @@ public final class ModuleQuery<M extends Module> {
       Class<? extends Attributes> type, String component, Condition condition) {
     List<AttributeTest> more = new ArrayList<>(tests);
     more.add(AttributeTest.of(type, component, condition));
-    return new ModuleQuery<>(kind, robot, name, List.copyOf(more), circle);
+    return new ModuleQuery<>(kind, robot, name, List.copyOf(more), circle, others);
+  }
+
+  /**
+   * Only where a test of the caller's own is passed, which knows more than attributes say. It is
+   * asked last, by any thread, whenever the directory looks, so it must be quick, and answer alike
+   * for one listing. A query's text does not tell of it.
+   */
+  public ModuleQuery<M> where(Predicate<ModuleListing<?>> test) {
+    List<Predicate<ModuleListing<?>>> more = new ArrayList<>(others);
+    more.add(test);
+    return new ModuleQuery<>(kind, robot, name, tests, circle, List.copyOf(more));
   }
 
   /**
@@ -129,7 +144,7 @@ public final class ModuleQuery<M extends Module> {
       throw new IllegalArgumentException(
           "no module is within " + metres + " m; ask for 0 m or more");
     }
-    return new ModuleQuery<>(kind, robot, name, tests, new Circle(metres, position));
+    return new ModuleQuery<>(kind, robot, name, tests, new Circle(metres, position), others);
   }
 
   /** The interface that is asked for. */
@@ -159,7 +174,8 @@ public final class ModuleQuery<M extends Module> {
         return false;
       }
     }
-    return circle == null || isNear(circle, candidate, robots);
+    return (circle == null || isNear(circle, candidate, robots))
+        && others.stream().allMatch(each -> each.test(candidate));
   }
 
   private static boolean isNear(
@@ -179,12 +195,13 @@ public final class ModuleQuery<M extends Module> {
         && Objects.equals(robot, query.robot)
         && Objects.equals(name, query.name)
         && tests.equals(query.tests)
-        && Objects.equals(circle, query.circle);
+        && Objects.equals(circle, query.circle)
+        && others.equals(query.others);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(kind, robot, name, tests, circle);
+    return Objects.hash(kind, robot, name, tests, circle, others);
   }
 
   /**

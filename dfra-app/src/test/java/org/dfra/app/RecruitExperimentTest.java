@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.dfra.app.figure.ReportHeadTest;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
@@ -68,6 +69,7 @@ class RecruitExperimentTest {
     assertThat(read(one.resolve("runs.csv")).lines()).hasSize(1 + 96 * 2);
     assertThat(read(one.resolve("cells.csv")).lines()).hasSize(1 + 96 * 10);
     assertThat(read(one.resolve("claims.csv")).lines()).hasSize(1 + 24 * 3 * 10);
+    ReportHeadTest.assertHead(read(one.resolve("report.html")));
     assertThat(read(one.resolve("report.html")))
         .contains(
             "<svg", "class=\"verdict", "Target", "It LOSES", "no published number is reproduced")
@@ -123,7 +125,10 @@ class RecruitExperimentTest {
     assertThat(read(folder.resolve("letter-delays.csv")).lines().count())
         .as("each of 96 calls takes several letters")
         .isGreaterThan(96 * 4);
-    assertThat(read(folder.resolve("report.html")))
+    String report = read(folder.resolve("report.html"));
+    ReportHeadTest.assertHead(report);
+    assertThat(report)
+        .contains("second helpers over JERI", "comparisons that differ</td>")
         .contains("Simulated and real transport", "Kolmogorov-Smirnov", "Holm", "<svg");
     assertThat(out.toString().replaceAll("\\s+", " ")).contains("Of 64 comparisons ");
   }

@@ -1,5 +1,6 @@
 package org.dfra.testing;
 
+import java.io.IOException;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
@@ -19,7 +20,9 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Module;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleIdentity;
 import org.dfra.river.server.ModuleServer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A module to be served in the test's own virtual machine, as a group would serve it, but without
@@ -217,38 +220,20 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /** The same, as another description has it. */
   public ServedModule<S> described(ModuleDescription description) {
-    return new ServedModule<>(
-        server,
-        new ModuleActivation(
-            description,
-            activation.id(),
-            activation.host(),
-            activation.lookupGroups(),
-            activation.locators()));
+    return activated(
+        description, activation.id(), activation.host(), activation.locators(), activation.state());
   }
 
   /** The same under another identity. */
   public ServedModule<S> identified(UUID id) {
-    return new ServedModule<>(
-        server,
-        new ModuleActivation(
-            activation.module(),
-            id,
-            activation.host(),
-            activation.lookupGroups(),
-            activation.locators()));
+    return activated(
+        activation.module(), id, activation.host(), activation.locators(), activation.state());
   }
 
   /** The same on the computer of this name or address, which must be one of this computer's. */
   public ServedModule<S> at(String host) {
-    return new ServedModule<>(
-        server,
-        new ModuleActivation(
-            activation.module(),
-            activation.id(),
-            host,
-            activation.lookupGroups(),
-            activation.locators()));
+    return activated(
+        activation.module(), activation.id(), host, activation.locators(), activation.state());
   }
 
   /** The same, joining this lookup service. */
@@ -258,10 +243,41 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /** The same, joining the lookup service at this locator. */
   public ServedModule<S> joining(String locator) {
+    return activated(
+        activation.module(),
+        activation.id(),
+        activation.host(),
+        List.of(locator),
+        activation.state());
+  }
+
+  /**
+   * The same as one of a robot that was brought up with a state folder: it keeps there what
+   * outlives it, its identity first, and counts as its robot's own only what is kept there too. To
+   * be called when robot and name are set.
+   *
+   * @param state the robot's; another robot of that name on this computer has another one
+   * @throws IOException if its identity cannot be written
+   */
+  public ServedModule<S> keptIn(Path state) throws IOException {
+    ModuleDescription module = activation.module();
+    Path folder =
+        state.toAbsolutePath().resolve("modules").resolve(module.robot()).resolve(module.name());
+    new ModuleIdentity(activation.id(), activation.created()).keep(folder);
+    return activated(
+        module, activation.id(), activation.host(), activation.locators(), folder.toString());
+  }
+
+  private ServedModule<S> activated(
+      ModuleDescription module,
+      UUID id,
+      String host,
+      List<String> locators,
+      @Nullable String state) {
     return new ServedModule<>(
         server,
         new ModuleActivation(
-            activation.module(), activation.id(), activation.host(), List.of(), List.of(locator)));
+            module, id, activation.created(), host, activation.lookupGroups(), locators, state));
   }
 
   /**

@@ -3,6 +3,7 @@ package org.dfra.app.doctor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.dfra.app.team.Namesakes;
 
 /** Whether each robot of the team has a name of its own. */
@@ -42,7 +43,10 @@ final class NameCheck implements Check {
                         "Take one of them down, give it another name in its XML and bring it up"
                             + " again; until then name a module as "
                             + robot
-                            + "@HOST/MODULE.")));
+                            + (hosts.size() > Set.copyOf(hosts).size()
+                                ? "@ID/MODULE, with the first eight digits of its service ID,"
+                                    + " which module list --json shows."
+                                : "@HOST/MODULE."))));
     return findings;
   }
 }

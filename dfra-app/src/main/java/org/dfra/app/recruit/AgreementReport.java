@@ -8,7 +8,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToIntFunction;
 import java.util.stream.Collectors;
+import org.dfra.app.figure.Figure;
+import org.dfra.app.figure.Figures;
 import org.dfra.app.figure.ReportHead;
 import org.dfra.app.plot.Axis;
 import org.dfra.app.plot.HtmlReport;
@@ -44,8 +47,8 @@ final class AgreementReport {
    */
   Path write(Path folder) throws IOException {
     HtmlReport html = new HtmlReport("Who comes when a robot calls: over remote events");
-    html.verdict(count(Agreement.Verdict.DIFFER) == 0, summary());
-    html.paragraph(ReportHead.date(Instant.now()));
+    ReportHead.add(html, figures(), Instant.now());
+    html.paragraph(summary());
     html.heading("Simulated and real transport").paragraph(setting);
     html.paragraph(
         String.format(
@@ -60,7 +63,6 @@ final class AgreementReport {
                 + " not shown to be equal.",
             all.size(),
             Agreement.POINTS));
-    html.paragraph(summary());
     html.paragraph(mishaps());
     for (Metric metric : Agreement.METRICS) {
       html.heading(ExperimentFigures.sentence(metric.title()));
@@ -90,6 +92,15 @@ final class AgreementReport {
     return file;
   }
 
+  /** What is wanted of the real network. */
+  Figures figures() {
+    Figures figures = new Figures();
+    figures.add(new Figure("second helpers over JERI", mishaps(RunResult::doubles), 0, ""));
+    figures.add(new Figure("orphaned helpers over JERI", mishaps(RunResult::orphans), 0, ""));
+    figures.add(new Figure("comparisons that differ", count(Agreement.Verdict.DIFFER), 0, ""));
+    return figures;
+  }
+
   /** How many comparisons come to what, in a sentence. */
   String summary() {
     return "Of "
@@ -102,12 +113,12 @@ final class AgreementReport {
   }
 
   /** How many comparisons come to that. */
-  long count(Agreement.Verdict verdict) {
+  private long count(Agreement.Verdict verdict) {
     return all.stream().filter(each -> each.verdict() == verdict).count();
   }
 
   /** What must not be, over all runs of the real network. */
-  int mishaps(java.util.function.ToIntFunction<RunResult> what) {
+  private int mishaps(ToIntFunction<RunResult> what) {
     return all.stream()
         .filter(each -> each.metric() == Metric.FAILURES)
         .mapToInt(each -> each.real().total(what))

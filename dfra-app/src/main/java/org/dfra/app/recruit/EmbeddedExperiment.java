@@ -19,7 +19,6 @@ import org.dfra.recruit.experiment.Cell;
 import org.dfra.recruit.experiment.CellResult;
 import org.dfra.recruit.experiment.Experiment;
 import org.dfra.recruit.experiment.Plan;
-import org.dfra.recruit.experiment.RunResult;
 import org.dfra.recruit.experiment.Seeds;
 import org.dfra.recruit.transport.MeasuredDelays;
 
@@ -86,16 +85,11 @@ final class EmbeddedExperiment {
           new AgreementReport(compare(cells, real, runs), how(letters, timers, load));
       Path file = report.write(folder);
       tell.say("%s", report.summary());
-      figure("second helpers over JERI", report.mishaps(RunResult::doubles));
-      figure("orphaned helpers over JERI", report.mishaps(RunResult::orphans));
-      figure("comparisons that differ", report.count(Agreement.Verdict.DIFFER));
+      for (Figure each : report.figures().all()) {
+        tell.figure(each.what(), each.measured(), each.most(), each.unit());
+      }
       return file;
     }
-  }
-
-  private void figure(String what, double measured) {
-    Figure each = new Figure(what, measured, 0, "");
-    tell.figure(each.what(), each.measured(), each.most(), each.unit());
   }
 
   /** The same cells, each with the delays that its real runs had, in the agents' time. */

@@ -147,6 +147,15 @@ class TeamChecksTest {
                 "2 robots are named r, on 10.0.0.5 and 10.0.0.6, so whoever calls r may get either",
                 "Take one of them down, give it another name in its XML and bring it up again;"
                     + " until then name a module as r@HOST/MODULE."));
+    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.5"))).examine())
+        .as("on one host, each with a phoenix of its own")
+        .containsExactly(
+            Finding.fail(
+                Subject.ROBOT_NAME,
+                "2 robots are named r, on 10.0.0.5 and 10.0.0.5, so whoever calls r may get either",
+                "Take one of them down, give it another name in its XML and bring it up again;"
+                    + " until then name a module as r@ID/MODULE, with the first eight digits of its"
+                    + " service ID, which module list --json shows."));
     assertThat(new NameCheck(Map::of).examine()).isEmpty();
   }
 

@@ -3,6 +3,7 @@ package org.dfra.core.directory;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.dfra.directory.Condition;
 import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.ModuleDirectory;
@@ -14,31 +15,36 @@ import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 
 /**
- * What a module finds others by: who asks for modules of its own robot gets those of its own host.
- * Another robot of that name in the team is another robot, whose wheels are not to be moved and
- * whose position is not to be believed.
+ * What a module finds others by: who asks for modules of its own robot gets those of its own host,
+ * and of these only those that the robot knows as its own. Another robot of that name in the team,
+ * or on this computer, is another robot, whose wheels are not to be moved and whose position is not
+ * to be believed.
  */
 public final class OwnRobotDirectory implements ModuleDirectory {
 
   private final ModuleDirectory all;
   private final String robot;
   private final String host;
+  private final Predicate<ModuleListing<?>> isOwn;
 
   /**
    * @param all what is known of all robots; closed with this
    * @param robot the module's own
    * @param host address or name of the computer that this runs on, as {@link ModuleAttributes#host}
    *     has it
+   * @param isOwn whether a module of that name and host is the robot's own
    */
-  public OwnRobotDirectory(ModuleDirectory all, String robot, String host) {
+  public OwnRobotDirectory(
+      ModuleDirectory all, String robot, String host, Predicate<ModuleListing<?>> isOwn) {
     this.all = all;
     this.robot = robot;
     this.host = host;
+    this.isOwn = isOwn;
   }
 
   private <M extends Module> ModuleQuery<M> own(ModuleQuery<M> query) {
     return query.robot().filter(robot::equals).isPresent()
-        ? query.where(ModuleAttributes.class, "host", Condition.equalTo(host))
+        ? query.where(ModuleAttributes.class, "host", Condition.equalTo(host)).where(isOwn)
         : query;
   }
 

@@ -111,29 +111,39 @@ final class AgentMemory {
    * What must not be repeated of what was kept, as {@linkplain AgentSnapshot#afterAnotherBoot after
    * another boot}: where nobody knows whether this is another.
    *
-   * @throws IOException if it cannot be read, or is something else
+   * @throws IOException if it cannot be read, or is something else; the message names the file
    */
   Optional<AgentSnapshot> recallWithoutSpans() throws IOException {
     return read().map(this::withoutSpans);
   }
 
   private Optional<Kept> read() throws IOException {
-    Optional<byte[]> kept = state.read(DOCUMENT);
-    if (kept.isEmpty()) {
-      return Optional.empty();
+    try {
+      Optional<byte[]> kept = state.read(DOCUMENT);
+      return kept.isEmpty() ? Optional.empty() : Optional.of(read(kept.get()));
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      throw new IOException(
+          "what it kept of its conversations in "
+              + state
+              + "/"
+              + DOCUMENT
+              + " cannot be read: "
+              + e,
+          e);
     }
-    try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(kept.get()))) {
+  }
+
+  private Kept read(byte[] kept) throws IOException, ClassNotFoundException {
+    try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(kept))) {
       in.setObjectInputFilter(SNAPSHOTS);
       Object found = in.readObject();
       if (found instanceof Kept last) {
-        return Optional.of(last);
+        return last;
       }
       if (found instanceof AgentSnapshot snapshot) { // of an earlier version, by the wall clock
-        return Optional.of(new Kept("", 0, context.clock().instant(), snapshot));
+        return new Kept("", 0, context.clock().instant(), snapshot);
       }
-      throw new InvalidObjectException("what was kept of the agent is something else");
-    } catch (ClassNotFoundException | RuntimeException e) {
-      throw new IOException("what was kept of the agent cannot be read: " + e, e);
+      throw new InvalidObjectException("it is something else");
     }
   }
 

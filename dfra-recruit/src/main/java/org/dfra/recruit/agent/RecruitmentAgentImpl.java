@@ -146,7 +146,13 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   @Override
   protected void onStart() {
     body.start();
-    Optional<AgentSnapshot> kept = recalled();
+    Optional<AgentSnapshot> kept;
+    try {
+      kept = recalled();
+    } catch (IOException e) {
+      fail(e);
+      return;
+    }
     Recruiter made =
         new Recruiter(
             context.robot(),
@@ -164,20 +170,36 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     agreement.start();
   }
 
-  /** What it was at, or as much of that as is known. */
-  private Optional<AgentSnapshot> recalled() {
+  /**
+   * What it was at, or as much of that as is known.
+   *
+   * @throws IOException if there is something of which nothing can be read
+   */
+  private Optional<AgentSnapshot> recalled() throws IOException {
     try {
       return memory.recall();
     } catch (IOException e) {
       log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
       survived(e);
     }
-    try {
-      return memory.recallWithoutSpans();
-    } catch (IOException e) {
-      log.warn("{}: it knows nothing of its earlier conversations: {}", path(), e.toString());
-      return Optional.empty();
-    }
+    return memory.recallWithoutSpans();
+  }
+
+  /**
+   * It may have promised to help, or have a helper on its way, and would not know: so it takes part
+   * in nothing before a person has looked. Its robot stops where the last process sent it.
+   */
+  private void fail(IOException why) {
+    body.stop();
+    log.error("{}: it does not start: {}", path(), why.toString(), why);
+    become(
+        Readiness.FAILED,
+        why.getMessage()
+            + ", so it neither calls nor helps anybody; move that file away, by which it forgets its"
+            + " call and its promises, and restart it: ./dfra module stop "
+            + path()
+            + ", then ./dfra module start "
+            + path());
   }
 
   @Override
@@ -227,7 +249,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
             ResponderPhase.FREE,
             null,
             0,
-            "it has not begun yet")
+            unreadiness().orElse("it has not begun yet"))
         : made.status();
   }
 

@@ -49,6 +49,11 @@ final class RobotBody implements Body, AutoCloseable {
     this.trip = new Trip(context, errands, work, hold, log);
   }
 
+  /** Ends the trip of an earlier process; what that left to help stays as it is. */
+  void stop() {
+    errands.now(trip::end);
+  }
+
   /** Has this run, on the thread of the errands, whenever it is held or not any more. */
   void onHold(Runnable listener) {
     onHold = listener;

@@ -18,6 +18,7 @@ import org.dfra.core.behavior.Progress;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StopState;
+import org.dfra.module.Readiness;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -89,6 +90,24 @@ class OrphanedTripTest extends BodyFixture {
       modules.step(3);
       assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
       search.cancel(raster);
+    }
+  }
+
+  /** Nobody knows any more to whom it has promised to come. */
+  @Test
+  void anAgentThatCannotReadWhatItKeptStopsItsRobotAndResumesNothing() throws IOException {
+    UUID unused = search.pursue(FIELD);
+    modules.step(1);
+    body.go(CALL, Long.MAX_VALUE, journey);
+    modules.step(1);
+    assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
+    modules.context("agent").state().write("recruitment", new byte[] {1, 2, 3});
+    try (RecruitmentAgentImpl agent = new RecruitmentAgentImpl(modules.context("agent"))) {
+      agent.start();
+      modules.step(3);
+      assertThat(agent.readiness()).isEqualTo(Readiness.FAILED);
+      assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
+      assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     }
   }
 

@@ -3,6 +3,9 @@ package org.dfra.recruit.agent;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -21,10 +24,13 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.directory.Watch;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.module.NotReadyException;
+import org.dfra.module.Readiness;
 import org.dfra.recruit.message.Letter;
 import org.dfra.recruit.transport.VirtualTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -106,6 +112,34 @@ class RecruitmentAgentImplTest {
     assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
     assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
     assertThat(again.status().doing()).contains("nobody offered to come in time");
+  }
+
+  /** Somebody may be on the way to help it, or wait for its help. */
+  @Test
+  void itFailsAndSaysSoWhereNothingCanBeReadOfWhatItKept(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("recruitment");
+    byte[] damaged = {0, 1, 2, 3, 4, 5, 6, 7};
+    Files.write(file, damaged);
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    RecruitmentAgentImpl uav = agent("uav", StateStore.in(folder), Map.of());
+    time.advance(Duration.ofSeconds(1));
+    assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
+    assertThat(uav.unreadiness().orElseThrow())
+        .startsWith("what it kept of its conversations in " + file + " cannot be read: ")
+        .endsWith(
+            "; move that file away, by which it forgets its call and its promises, and restart it:"
+                + " ./dfra module stop uav/recruit, then ./dfra module start uav/recruit");
+    assertThatThrownBy(() -> uav.help(call("mine"))).isInstanceOf(NotReadyException.class);
+    assertThat(uav.status().doing()).isEqualTo(uav.unreadiness().orElseThrow());
+    assertThat(file).as("nothing is written over it").hasBinaryContent(damaged);
+    listed.get(uav).close();
+    uav.close();
+    made.remove(uav);
+    Files.delete(file);
+    RecruitmentAgentImpl again = agent("uav", StateStore.in(folder), Map.of());
+    time.advance(Duration.ofSeconds(1));
+    again.help(call("mine"));
+    assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
   }
 
   @Test

@@ -23,6 +23,7 @@ import org.dfra.river.bootstrap.RobotBootstrap.Service;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -17,6 +17,7 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleIdentity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -33,6 +33,7 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
   private final String module;
   private final String robot;
   private final String host;
+  private final OwnModules ownModules;
   private final DirectorySettings settings;
   private @Nullable Shared used; // guarded by OPEN
   private boolean closed; // guarded by OPEN
@@ -41,6 +42,7 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
     this.module = activation.module().path();
     this.robot = activation.module().robot();
     this.host = activation.host();
+    this.ownModules = new OwnModules(activation);
     this.settings =
         DirectorySettings.of(activation.host(), activation.lookupGroups(), activation.locators());
   }
@@ -72,7 +74,7 @@ final class Neighbourhood implements Supplier<ModuleDirectory>, AutoCloseable {
   }
 
   private ModuleDirectory own(Shared shared) {
-    return new OwnRobotDirectory(shared.directory, robot, host);
+    return new OwnRobotDirectory(shared.directory, robot, host, ownModules);
   }
 
   private JiniModuleDirectory open() {

@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.figure.ReportHeadTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -72,6 +73,7 @@ class RasterReportTest {
         .contains("Mode local:", "A region becomes lanes", "atrv2: the region is searched");
 
     String html = Files.readString(folder.resolve("one/report.html"));
+    ReportHeadTest.assertHead(html);
     assertThat(html)
         .contains("Mode local:", "Columbia AVENUE", "ICR, odometry alone", "waypoints missed by")
         .contains("<td>atrv1, truly</td>", "class=\"verdict met\">All 4 targets are met.")

@@ -128,4 +128,27 @@ class NarrationTest {
     assertThat(said.toString().lines().mapToInt(String::length).max().orElseThrow())
         .isBetween(92, 96);
   }
+
+  /** The closing table, and what is said below it. */
+  @Test
+  void figuresHaveColoursOnlyWhereTheyAreWanted() {
+    for (boolean isColoured : new boolean[] {true, false}) {
+      StringWriter said = new StringWriter();
+      Narration closing =
+          new Narration(
+              new PrintWriter(said), () -> 0, false, () -> Terminal.Size.BOUNDLESS, isColoured);
+      closing.figure("receiver back", 7.3, 5, "s");
+      closing.figure("collisions", 0, 0, "");
+      closing.table();
+      closing.remark("FAILED: this must be true.");
+      if (isColoured) {
+        assertThat(said.toString())
+            .contains("\u001b[31mMISSED\u001b[0m", "\u001b[31mFAILED\u001b[0m: this");
+      } else {
+        assertThat(said.toString())
+            .contains(" MISSED", "FAILED: this must be true.")
+            .doesNotContainPattern("[\\p{Cntrl}&&[^\n]]");
+      }
+    }
+  }
 }

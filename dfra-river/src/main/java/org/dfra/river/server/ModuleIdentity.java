@@ -1,4 +1,4 @@
-package org.dfra.river.bootstrap;
+package org.dfra.river.server;
 
 import java.io.IOException;
 import java.io.StringReader;
@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  * @param id its service ID in every lookup service
  * @param created when it was first registered with its robot, UTC
  */
-record ModuleIdentity(UUID id, Instant created) {
+public record ModuleIdentity(UUID id, Instant created) {
 
   private static final Logger LOG = LoggerFactory.getLogger(ModuleIdentity.class);
   private static final String DOCUMENT = "identity";
@@ -28,31 +28,48 @@ record ModuleIdentity(UUID id, Instant created) {
   private static final String CREATED = "created";
 
   /** One for a module that was never registered. */
-  static ModuleIdentity fresh() {
+  public static ModuleIdentity fresh() {
     return new ModuleIdentity(UUID.randomUUID(), Instant.now());
   }
 
   /** The one that is kept in a module's folder; empty where there is none that can be read. */
-  static Optional<ModuleIdentity> kept(Path folder) {
+  public static Optional<ModuleIdentity> kept(Path folder) {
     try {
-      Optional<byte[]> document = StateStore.in(folder).read(DOCUMENT);
-      if (document.isEmpty()) {
-        return Optional.empty();
-      }
+      return read(folder);
+    } catch (IOException e) {
+      LOG.warn("The identity in {} cannot be read ({}); the module gets a new one.", folder, e);
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * The same for those who give out no new one.
+   *
+   * @throws IOException if there is one that cannot be read
+   */
+  static Optional<ModuleIdentity> read(Path folder) throws IOException {
+    Optional<byte[]> document = StateStore.in(folder).read(DOCUMENT);
+    if (document.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
       Properties properties = new Properties();
       properties.load(new StringReader(new String(document.get(), StandardCharsets.UTF_8)));
       return Optional.of(
           new ModuleIdentity(
               UUID.fromString(properties.getProperty(ID, "")),
               Instant.parse(properties.getProperty(CREATED, ""))));
-    } catch (IOException | IllegalArgumentException | DateTimeException e) {
-      LOG.warn("The identity in {} cannot be read ({}); the module gets a new one.", folder, e);
-      return Optional.empty();
+    } catch (IllegalArgumentException | DateTimeException e) {
+      throw new IOException(e.toString(), e);
     }
   }
 
-  /** Keeps it in a module's folder; nothing is written where it is there already. */
-  void keep(Path folder) throws IOException {
+  /**
+   * Keeps it in a module's folder; nothing is written where it is there already.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void keep(Path folder) throws IOException {
     if (!kept(folder).equals(Optional.of(this))) {
       String text = ID + "=" + id + "\n" + CREATED + "=" + created + "\n";
       StateStore.in(folder).write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
