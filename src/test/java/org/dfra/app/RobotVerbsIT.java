@@ -205,7 +205,7 @@ class RobotVerbsIT {
     unused = well(robot.here("module", "start", "t1/warmth"));
     assertThat(well(robot.here("module", "call", "warmth", "celsius", TEAM))).startsWith("17");
 
-    assertThat(well(robot.process("module", "kill", "t1/warmth")))
+    assertThat(well(robot.here("module", "kill", "t1/warmth")))
         .startsWith("Killed group one of t1");
     fails(
         3,
