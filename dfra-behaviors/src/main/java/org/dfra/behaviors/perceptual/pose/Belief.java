@@ -42,8 +42,7 @@ final class Belief {
   final DMatrixRMaj covariance = new DMatrixRMaj(SIZE, SIZE);
 
   private final TrackerSettings settings;
-  private final DMatrixRMaj transition = new DMatrixRMaj(SIZE, SIZE);
-  private final DMatrixRMaj product = new DMatrixRMaj(SIZE, SIZE);
+  private final Transition transition = new Transition();
   private final Correction byRest = new Correction(SIZE, 1);
   private final FixCorrection byFix;
   private long time;
@@ -136,31 +135,25 @@ final class Belief {
     double sin = Math.sin(middle);
     double way = step.way() * (1 + state.get(SCALE));
     double keep = Math.exp(-dt / settings.gps().biasTime());
-    CommonOps_DDRM.setIdentity(transition);
-    transition.set(EAST, YAW, -way * sin);
-    transition.set(NORTH, YAW, way * cos);
-    transition.set(EAST, SCALE, step.way() * cos);
-    transition.set(NORTH, SCALE, step.way() * sin);
+    transition.clear(keep);
+    transition.place(YAW, -way * sin, way * cos);
+    transition.place(SCALE, step.way() * cos, step.way() * sin);
     if (step.hasGyro() && !rests) {
-      transition.set(YAW, TURN, -dt);
-      transition.set(EAST, TURN, way * sin * dt / 2);
-      transition.set(NORTH, TURN, -way * cos * dt / 2);
+      transition.yaw(-dt, 0);
+      transition.place(TURN, way * sin * dt / 2, -way * cos * dt / 2);
     }
     if (!step.hasGyro()) {
       double change = rests ? 0 : step.wheelTurn();
-      transition.set(YAW, SPIN, change);
-      transition.set(EAST, SPIN, -way * sin * change / 2);
-      transition.set(NORTH, SPIN, way * cos * change / 2);
+      transition.yaw(0, change);
+      transition.place(SPIN, -way * sin * change / 2, way * cos * change / 2);
     }
     for (int i = SLOW; i < SIZE; i++) {
-      transition.set(i, i, keep);
       state.set(i, state.get(i) * keep);
     }
     state.add(EAST, 0, way * cos);
     state.add(NORTH, 0, way * sin);
     state.set(YAW, Math.IEEEremainder(state.get(YAW) + turn, 2 * Math.PI));
-    CommonOps_DDRM.mult(transition, covariance, product);
-    CommonOps_DDRM.multTransB(product, transition, covariance);
+    transition.apply(covariance);
     addNoise(step, dt, rests, turn, keep, cos, sin);
     Correction.symmetrize(covariance);
     time = step.time();
