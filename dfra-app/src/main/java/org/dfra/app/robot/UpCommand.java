@@ -154,7 +154,6 @@ public final class UpCommand implements Callable<Integer> {
     };
   }
 
-  /** Two robots of one name on one phoenix would be one, as the last XML says. */
   /**
    * The robots, read and tried before anything is begun.
    *
@@ -183,6 +182,7 @@ public final class UpCommand implements Callable<Integer> {
     return robots;
   }
 
+  /** Two robots of one name on one phoenix would be one, as the last XML says. */
   private void requireDifferentNames(List<RobotDescription> robots) {
     Map<String, Path> sources = new HashMap<>();
     for (RobotDescription robot : robots) {
