@@ -1,7 +1,8 @@
 package org.dfra.sim.device.camera;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.WritableRaster;
+import java.awt.image.DataBufferByte;
+import java.awt.image.DataBufferUShort;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -58,22 +59,27 @@ public final class FrameEncoder {
     return bytes.toByteArray();
   }
 
+  /** Bytes in the order in which JPEG's writer copies them as they are. */
   private static BufferedImage light(Frame frame) {
     BufferedImage image =
-        new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB);
-    image.setRGB(0, 0, frame.width(), frame.height(), frame.samples(), 0, frame.width());
+        new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_3BYTE_BGR);
+    byte[] bytes = ((DataBufferByte) image.getRaster().getDataBuffer()).getData();
+    int at = 0;
+    for (int sample : frame.samples()) {
+      bytes[at++] = (byte) sample;
+      bytes[at++] = (byte) (sample >> 8);
+      bytes[at++] = (byte) (sample >> 16);
+    }
     return image;
   }
 
   private static BufferedImage heat(Frame frame) {
     BufferedImage image =
         new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_USHORT_GRAY);
-    WritableRaster raster = image.getRaster();
-    int[] levels = new int[frame.samples().length];
+    short[] levels = ((DataBufferUShort) image.getRaster().getDataBuffer()).getData();
     for (int i = 0; i < levels.length; i++) {
-      levels[i] = Math.max(0, Math.min(MOST_LEVEL, frame.samples()[i]));
+      levels[i] = (short) Math.max(0, Math.min(MOST_LEVEL, frame.samples()[i]));
     }
-    raster.setSamples(0, 0, frame.width(), frame.height(), 0, levels);
     return image;
   }
 }

@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.Locale;
 import org.dfra.sim.body.TurnView;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
@@ -24,6 +23,8 @@ public final class Dsp3000Device implements SerialDevice {
 
   private static final Duration PERIOD = Duration.ofMillis(10);
   private static final double FASTEST = 375; // °/s
+  private static final int PLACES = 6; // of its numbers
+  private static final long MILLION = 1_000_000;
   private static final int LONGEST_QUEUE = 1024; // bytes; with more a line is left out
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // lines caught up
 
@@ -92,8 +93,17 @@ public final class Dsp3000Device implements SerialDevice {
     boolean isValid = told == rate && !time.isBefore(begin.plus(warmUp));
     double number = mode == 'R' ? told : mode == 'A' ? step : angle;
     if (line.waitingBytes() <= LONGEST_QUEUE) {
-      String text = String.format(Locale.ROOT, "%.6f %d\r\n", number, isValid ? 1 : 0);
-      line.send(text.getBytes(StandardCharsets.US_ASCII), time);
+      line.send(text(number, isValid).getBytes(StandardCharsets.US_ASCII), time);
     }
+  }
+
+  /** Six places; by hand, since a formatter took half of the time of a robot that stands. */
+  private static String text(double number, boolean isValid) {
+    long size = Math.round(Math.abs(number) * MILLION);
+    StringBuilder text = new StringBuilder();
+    text.append(Double.compare(number, 0) < 0 ? "-" : ""); // a zero may have a sign, too
+    text.append(size / MILLION).append('.');
+    text.append(MILLION + size % MILLION).deleteCharAt(text.length() - PLACES - 1);
+    return text.append(isValid ? " 1\r\n" : " 0\r\n").toString();
   }
 }
