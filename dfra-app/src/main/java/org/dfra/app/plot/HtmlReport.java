@@ -112,8 +112,27 @@ public final class HtmlReport {
    * @throws NoFontException if no font is installed
    */
   public HtmlReport figure(Page page, String caption) {
+    return add(painted(page), caption);
+  }
+
+  /**
+   * The same, and writes the picture to an SVG file too. It is painted once.
+   *
+   * @throws NoFontException if no font is installed
+   */
+  public HtmlReport figure(Page page, String caption, Path svg) throws IOException {
+    String picture = painted(page);
+    Page.write(picture, svg);
+    return add(picture, caption);
+  }
+
+  private String painted(Page page) {
     figures++;
-    body.append("<figure>\n").append(page.element("figure" + figures + "-"));
+    return page.element("figure" + figures + "-");
+  }
+
+  private HtmlReport add(String picture, String caption) {
+    body.append("<figure>\n").append(picture);
     if (!caption.isEmpty()) {
       element("figcaption", caption);
     }

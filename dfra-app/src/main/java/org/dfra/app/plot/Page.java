@@ -24,6 +24,7 @@ import java.util.Map;
  */
 public final class Page {
 
+  private static final String HEAD = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   private static final int WIDTH = 1200;
   private static final int MARGIN = 6;
   private static final int TITLE_HEIGHT = 40;
@@ -147,7 +148,7 @@ public final class Page {
    * @throws NoFontException if no font is installed
    */
   public String svg() {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + element("");
+    return HEAD + element("");
   }
 
   /**
@@ -168,6 +169,11 @@ public final class Page {
    * @throws NoFontException if no font is installed
    */
   public void write(Path file) throws IOException {
-    Files.writeString(file, svg(), StandardCharsets.UTF_8);
+    write(element(""), file);
+  }
+
+  /** Writes an element {@code svg} to a file of its own. */
+  static void write(String element, Path file) throws IOException {
+    Files.writeString(file, HEAD + element, StandardCharsets.UTF_8);
   }
 }

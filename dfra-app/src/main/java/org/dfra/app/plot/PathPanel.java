@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Places and paths: a metre is as long on one axis as on the other. Confined to one thread until it
@@ -102,8 +103,13 @@ public final class PathPanel implements Panel {
    */
   static void equalise(Plot plot, Range across, Range up) {
     plot.show(across, up);
+    @Nullable Rectangle2D area = null;
     for (int round = 0; round < ROUNDS; round++) {
-      Rectangle2D area = plot.measured();
+      Rectangle2D last = area;
+      area = plot.measured();
+      if (area.equals(last)) {
+        return; // and so it would be in the next
+      }
       double scale = Math.min(area.getWidth() / across.length(), area.getHeight() / up.length());
       plot.show(
           across.widened(area.getWidth() / scale / across.length()),

@@ -64,11 +64,11 @@ final class AgreementReport {
     html.paragraph(mishaps());
     for (Metric metric : Agreement.METRICS) {
       html.heading(ExperimentFigures.sentence(metric.title()));
-      Page page = figure(metric);
-      page.write(
+      html.figure(
+          figure(metric),
+          "Share of the runs that have so much or less.",
           folder.resolve(
               "transport-" + metric.name().toLowerCase(Locale.ROOT).replace('_', '-') + ".svg"));
-      html.figure(page, "Share of the runs that have so much or less.");
       html.table(
           List.of(
               "Strategy",

@@ -184,7 +184,6 @@ final class ExperimentReport {
 
   private static void add(Path folder, HtmlReport html, String name, Page page, String caption)
       throws IOException {
-    page.write(folder.resolve(name + ".svg"));
-    html.figure(page, caption);
+    html.figure(page, caption, folder.resolve(name + ".svg"));
   }
 }

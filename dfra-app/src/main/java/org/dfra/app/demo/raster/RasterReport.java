@@ -147,8 +147,7 @@ final class RasterReport {
   }
 
   private static void add(Path svg, HtmlReport html, Page page, String caption) throws IOException {
-    page.write(svg);
-    html.figure(page, caption);
+    html.figure(page, caption, svg);
   }
 
   private void rules(HtmlReport html) {

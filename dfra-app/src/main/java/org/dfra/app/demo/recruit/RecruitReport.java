@@ -93,7 +93,6 @@ final class RecruitReport {
 
   private static void add(Path svg, HtmlReport report, Page page, String caption)
       throws IOException {
-    page.write(svg);
-    report.figure(page, caption);
+    report.figure(page, caption, svg);
   }
 }
