@@ -110,10 +110,14 @@ class RecruitExperimentTest {
         .contains("fewer transmissions than " + name + " in ");
   }
 
-  /** A few runs of each cell: that it works, and says what it found. */
+  /**
+   * A few runs of each cell: that it works, and says what it found. Teams for 60 runs at once, as
+   * usual, would take most of the time to start.
+   */
   @Test
   void runsOverRealRemoteEventsAndComparesThemWithTheSimulation() throws Exception {
-    int ended = experiment("--embedded", "--seeds=2", "--speed=100", "--report=" + folder);
+    int ended =
+        experiment("--embedded", "--seeds=2", "--jobs=8", "--speed=200", "--report=" + folder);
     assertThat(err.toString()).isEmpty();
     assertThat(ended).isEqualTo(out.toString().contains("MISSED") ? 1 : 0);
     String told = out.toString().replaceAll("\\s+", " ");

@@ -22,6 +22,8 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.module.Module;
 import org.dfra.sim.run.Simulation;
 import org.dfra.sim.time.LockStep;
+import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -44,10 +46,7 @@ class NoiseStudyTest {
       long seed, Duration time, List<String> modules) throws Exception {
     LockStep clock = new LockStep(Instant.parse("2026-11-21T12:00:00Z"));
     Map<String, List<NoiseFigure>> figures = new HashMap<>();
-    try (Simulation world =
-            Simulation.inLockStep(
-                WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null).seeded(seed),
-                clock);
+    try (Simulation world = Simulation.inLockStep(world(seed, modules), clock);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(clock)) {
       world.start();
       Map<String, String> links = new HashMap<>();
@@ -61,7 +60,7 @@ class NoiseStudyTest {
         Map<String, NoiseStudy> studies = new HashMap<>();
         for (String name : modules) {
           ModuleImpl module = (ModuleImpl) robot.module(name, Module.class).orElseThrow();
-          module.start(); // the others would only take time
+          module.start();
           var unused =
               module.subscribe(
                   delivery -> {
@@ -80,6 +79,35 @@ class NoiseStudyTest {
     }
     System.out.println("seed " + seed + ": " + figures);
     return figures;
+  }
+
+  /** The world with one robot and those of its devices: the others would only take time. */
+  private static WorldDescription world(long seed, List<String> devices) {
+    WorldDescription whole = WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null);
+    VehicleDescription robot = whole.vehicle("atrv1");
+    VehicleDescription alone =
+        new VehicleDescription(
+            robot.name(),
+            robot.type(),
+            robot.east(),
+            robot.north(),
+            robot.yaw(),
+            robot.length(),
+            robot.width(),
+            robot.height(),
+            robot.devices().stream().filter(each -> devices.contains(each.name())).toList(),
+            robot.place());
+    return new WorldDescription(
+        whole.name(),
+        seed,
+        whole.datum(),
+        whole.ground(),
+        whole.weather(),
+        whole.obstacles(),
+        whole.mines(),
+        whole.region(),
+        List.of(alone),
+        whole.place());
   }
 
   private static Map<String, Double> byName(List<NoiseFigure> figures) {

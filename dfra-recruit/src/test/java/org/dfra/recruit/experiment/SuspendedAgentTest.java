@@ -161,8 +161,11 @@ class SuspendedAgentTest {
                   Duration.ofSeconds(400)));
       for (Duration now = STEP; now.compareTo(Duration.ofSeconds(700)) < 0; now = now.plus(STEP)) {
         time.advance(STEP);
-        List<String> helping = List.of("near", "far").stream().filter(this::helps).toList();
-        assertThat(helping).as("%s: who helps after %s", told, now).hasSizeLessThan(2);
+        boolean isNearHelping = helps("near");
+        boolean isFarHelping = helps("far");
+        if (isNearHelping && isFarHelping) { // asked millions of times
+          throw new AssertionError(told + ": both help after " + now);
+        }
       }
       for (String robot : List.of("near", "far")) {
         assertThat(agents.get(robot).status().responder())

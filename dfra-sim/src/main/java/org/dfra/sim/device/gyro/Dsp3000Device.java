@@ -99,10 +99,10 @@ public final class Dsp3000Device implements SerialDevice {
 
   /** Six places; by hand, since a formatter took half of the time of a robot that stands. */
   private static String text(double number, boolean isValid) {
-    long millionths = Math.round(number * MILLION);
-    long size = Math.abs(millionths);
+    long size = Math.round(Math.abs(number) * MILLION);
     StringBuilder text = new StringBuilder();
-    text.append(millionths < 0 ? "-" : "").append(size / MILLION).append('.');
+    text.append(Double.compare(number, 0) < 0 ? "-" : ""); // a zero may have a sign, too
+    text.append(size / MILLION).append('.');
     text.append(MILLION + size % MILLION).deleteCharAt(text.length() - PLACES - 1);
     return text.append(isValid ? " 1\r\n" : " 0\r\n").toString();
   }

@@ -9,6 +9,8 @@ import java.time.Instant;
 import java.util.List;
 import org.dfra.sim.body.TurnView;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The gyro alone, stepped. */
 class Dsp3000DeviceTest {
@@ -34,6 +36,20 @@ class Dsp3000DeviceTest {
         .doesNotContain(" 0\r");
     Dsp3000Device spun = gyro(time -> Math.toRadians(-400), Duration.ZERO);
     assertThat(run(spun, Duration.ofMillis(100))).startsWith("375.000000 0\r\n");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0.5, 0.500000",
+    "-0.5, -0.500000",
+    "-0.0000004, -0.000000",
+    "1.000001, 1.000001",
+    "-374.0123456, -374.012346",
+    "374.9999998, 375.000000",
+  })
+  void writesSixPlaces(double rate, String written) {
+    Dsp3000Device gyro = gyro(time -> Math.toRadians(-rate), Duration.ZERO);
+    assertThat(run(gyro, Duration.ofMillis(100))).startsWith(written + " 1\r\n");
   }
 
   @Test
