@@ -7,7 +7,9 @@ allprojects {
     tasks.withType<JavaCompile>().configureEach {
         options.release.set(17)
         options.encoding = "UTF-8"
-        options.compilerArgs.addAll(listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters"))
+        // Else each place that joins strings is linked when it first runs, again in every process that starts.
+        options.compilerArgs.addAll(
+            listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters", "-XDstringConcat=inline"))
     }
     // Jar names carry no version, in either build: class paths and codebases name them.
     // And the same sources give the same bytes, as pom.xml's outputTimestamp has it.

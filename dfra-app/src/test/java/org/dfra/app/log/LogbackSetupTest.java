@@ -4,18 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.Configurator.ExecutionStatus;
 import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.classic.spi.LoggingEvent;
 import ch.qos.logback.core.Appender;
 import ch.qos.logback.core.ConsoleAppender;
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TimeZone;
 import org.dfra.river.bootstrap.JvmCommand;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -100,6 +105,48 @@ class LogbackSetupTest {
   @CsvSource({"ERROR, ERROR", "warn, WARN", "' TRACE ', TRACE", "OFF, OFF"})
   void readsALevel(String given, String level) {
     assertThat(LogbackSetup.level(Optional.of(given))).isEqualTo(Level.toLevel(level));
+  }
+
+  /** The encoder stands for a pattern, whose converters would be loaded in every process. */
+  @ParameterizedTest
+  @CsvSource({
+    "org.dfra.river.phoenix.Phoenix, INFO, 0",
+    "Short, ERROR, 1732360000007",
+    "org.dfra.a.very.deep.package.of.classes.Name, WARN, 1721912400120"
+  })
+  void theLinesAreThoseOfThePattern(String logger, String level, long millis) {
+    LoggerContext context = new LoggerContext();
+    PatternLayoutEncoder pattern = new PatternLayoutEncoder();
+    pattern.setContext(context);
+    pattern.setPattern(LineEncoder.PATTERN);
+    pattern.start();
+    TimeZone here = TimeZone.getDefault();
+    try {
+      for (String zone : List.of("UTC", "Europe/Berlin", "America/St_Johns")) {
+        TimeZone.setDefault(TimeZone.getTimeZone(zone));
+        pattern.stop();
+        pattern.start();
+        LineEncoder encoder = new LineEncoder();
+        encoder.start();
+        for (Throwable thrown :
+            new Throwable[] {null, new IOException("full ü", new IllegalStateException("why"))}) {
+          LoggingEvent event =
+              new LoggingEvent(
+                  "",
+                  context.getLogger(logger),
+                  Level.toLevel(level),
+                  "{} % of\n{}",
+                  thrown,
+                  new Object[] {7, "x"});
+          event.setInstant(Instant.ofEpochMilli(millis));
+          assertThat(new String(encoder.encode(event), Charset.defaultCharset()))
+              .isEqualTo(new String(pattern.encode(event), Charset.defaultCharset()))
+              .contains("7 % of\nx");
+        }
+      }
+    } finally {
+      TimeZone.setDefault(here);
+    }
   }
 
   @Test
