@@ -22,6 +22,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -41,10 +44,9 @@ import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The clock of a registrar's computer, or of a module's, is set by an hour: within one lease and 5
@@ -58,6 +60,9 @@ class ClockStepIT {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final Duration LEASE = Duration.ofMillis(EmbeddedReggie.LEASE_MILLIS);
   private static final Duration BOUND = LEASE.plusSeconds(5);
+
+  /** Seconds that a clock is ahead, one after the other: it is set back by an hour, and forward. */
+  private static final List<Long> STEPS = List.of(-3600L, 0L);
 
   @TempDir Path folder;
 
@@ -117,7 +122,8 @@ class ClockStepIT {
     }
 
     private void set(long seconds) throws IOException {
-      Path beside = Files.writeString(folder.resolve("next"), "%+d".formatted(seconds) + "\n");
+      Path next = clock.resolveSibling(clock.getFileName() + ".next");
+      Path beside = Files.writeString(next, "%+d".formatted(seconds) + "\n");
       Path unused = Files.move(beside, clock, StandardCopyOption.ATOMIC_MOVE);
     }
 
@@ -207,9 +213,26 @@ class ClockStepIT {
     return watch.stop().took().compareTo(LEASE) > 0;
   }
 
-  @ParameterizedTest
-  @ValueSource(longs = {-3600, 3600})
-  void theClockOfARegistrarIsSet(long step) throws Exception {
+  /** Both at once: what takes its time is the end of leases. */
+  @Test
+  void whatLivesIsListedWhicheverClockIsSet() throws Exception {
+    ExecutorService threads = Executors.newSingleThreadExecutor();
+    try {
+      Future<?> registrars =
+          threads.submit(
+              () -> {
+                setTheClockOfARegistrar();
+                return null;
+              });
+      setTheClockOfAModulesComputer();
+      registrars.get();
+    } finally {
+      threads.shutdownNow();
+      assertThat(threads.awaitTermination(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
+    }
+  }
+
+  private void setTheClockOfARegistrar() throws Exception {
     try (Skewed process = new Skewed(Registrar.class)) {
       LookupLocator locator = new LookupLocator(process.said);
       ServiceRegistrar registrar = locator.getRegistrar();
@@ -218,28 +241,30 @@ class ClockStepIT {
             .atMost(PATIENCE)
             .ignoreExceptionsInstanceOf(RemoteException.class)
             .until(() -> listed(registrar).contains("robot/module"));
-        await("registration of one that never renews")
-            .atMost(PATIENCE)
-            .ignoreExceptionsInstanceOf(RemoteException.class)
-            .until(() -> registrar.register(dead(), LEASE.toMillis()) != null);
-        process.step(step);
-        StallProbe.Stopwatch begun = probe.stopwatch();
-        awaitListed(registrar, begun, "robot/module");
+        for (long step : STEPS) {
+          await("registration of one that never renews")
+              .atMost(PATIENCE)
+              .ignoreExceptionsInstanceOf(RemoteException.class)
+              .until(() -> registrar.register(dead(), LEASE.toMillis()) != null);
+          process.step(step);
+          StallProbe.Stopwatch begun = probe.stopwatch();
+          awaitListed(registrar, begun, "robot/module");
+        }
       }
     }
   }
 
-  @ParameterizedTest
-  @ValueSource(longs = {-3600, 3600})
-  void theClockOfAModulesComputerIsSet(long step) throws Exception {
+  private void setTheClockOfAModulesComputer() throws Exception {
     try (EmbeddedReggie reggie = new EmbeddedReggie().start();
         Skewed process = new Skewed(Served.class, reggie.locator())) {
       await(process.said)
           .atMost(PATIENCE)
           .until(() -> listed(reggie.registrar()).contains("robot/module"));
-      process.step(step);
-      StallProbe.Stopwatch begun = probe.stopwatch();
-      awaitListed(reggie.registrar(), begun, "robot/module");
+      for (long step : STEPS) {
+        process.step(step);
+        StallProbe.Stopwatch begun = probe.stopwatch();
+        awaitListed(reggie.registrar(), begun, "robot/module");
+      }
     }
   }
 }
