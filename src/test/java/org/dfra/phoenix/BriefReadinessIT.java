@@ -6,8 +6,9 @@ import java.nio.file.Path;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import org.dfra.river.phoenix.GroupStatus;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,12 +17,12 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(240)
 class BriefReadinessIT {
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private PhoenixFixture phoenix;
+  private static PhoenixFixture phoenix;
 
-  @BeforeEach
-  void start() throws Exception {
+  @BeforeAll
+  static void start() throws Exception {
     phoenix =
         new PhoenixFixture(
                 folder,
@@ -33,9 +34,15 @@ class BriefReadinessIT {
             .start();
   }
 
-  @AfterEach
-  void end() {
+  @AfterAll
+  static void end() {
     phoenix.close();
+  }
+
+  /** What is restarted for ever would go on beside the next test. */
+  @AfterEach
+  void forgetGroups() throws Exception {
+    phoenix.clear();
   }
 
   private void activate(String group, String mode) throws Exception {

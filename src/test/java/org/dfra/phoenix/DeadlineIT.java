@@ -15,11 +15,20 @@ import org.awaitility.core.ConditionFactory;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.river.call.DeadlineExceededException;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 
-/** Calls to a server that was stopped, as {@code kill -STOP} does, beside one that runs. */
+/**
+ * Calls to a server that was stopped, as {@code kill -STOP} does, beside one that runs. The tests
+ * share the two; the last one kills one of them.
+ */
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class DeadlineIT {
 
   /** Of each call. */
@@ -31,13 +40,17 @@ class DeadlineIT {
   private final StallProbe probe = StallProbe.start();
 
   private final ExecutorService threads = Executors.newCachedThreadPool();
-  private RemoteBeacon silent;
-  private RemoteBeacon living;
+  private static RemoteBeacon silent;
+  private static RemoteBeacon living;
 
-  @BeforeEach
-  void start() throws Exception {
+  @BeforeAll
+  static void start() throws Exception {
     silent = RemoteBeacon.start();
     living = RemoteBeacon.start();
+  }
+
+  @BeforeEach
+  void awaitBoth() throws Exception {
     for (RemoteBeacon each : List.of(silent, living)) {
       patiently("answers").untilAsserted(() -> assertThat(each.proxy.pid()).isPositive());
     }
@@ -54,8 +67,17 @@ class DeadlineIT {
   void end() throws Exception {
     probe.close();
     threads.shutdownNow();
-    silent.close();
-    living.close();
+    if (silent.process.isAlive()) {
+      silent.signal("CONT"); // also where a test has failed
+    }
+  }
+
+  @AfterAll
+  static void endBoth() throws Exception {
+    try (RemoteBeacon one = silent;
+        RemoteBeacon other = living) {
+      assertThat(one == null).isEqualTo(other == null);
+    }
   }
 
   @Test
@@ -108,6 +130,7 @@ class DeadlineIT {
   }
 
   @Test
+  @Order(Integer.MAX_VALUE) // it ends one of the servers
   void killedServerIsReportedAtOnce() throws Exception {
     silent.close();
     StallProbe.Stopwatch began = probe.stopwatch();

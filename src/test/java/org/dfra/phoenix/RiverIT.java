@@ -19,24 +19,24 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** River's own things, unmodified, under this phoenix. */
 class RiverIT {
 
-  @TempDir Path temp;
-  private PhoenixFixture phoenix;
+  @TempDir static Path temp;
+  private static PhoenixFixture phoenix;
 
-  @BeforeEach
-  void start() throws Exception {
+  @BeforeAll
+  static void start() throws Exception {
     phoenix = new PhoenixFixture(temp, "restartDelay=10L").start();
   }
 
-  @AfterEach
-  void end() {
+  @AfterAll
+  static void end() {
     phoenix.close();
   }
 
