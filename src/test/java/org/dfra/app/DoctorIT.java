@@ -38,9 +38,7 @@ class DoctorIT {
     Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
     Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
-      processes.set("DFRA_WAIT", "2"); // for nobody
-      Outcome none = processes.dfra(PATIENCE, asked(state));
-      assertThat(none.err()).isEmpty();
+      Outcome none = doctor(state, 2); // for nobody
       assertThat(found(none, "phoenix")).containsExactly("warn");
       assertThat(found(none, "registrar")).containsExactly("warn");
       assertThat(none.exit()).as("no robot is no failure: " + none.out()).isZero();

@@ -79,7 +79,7 @@ class TalkVerbsIT {
   @AfterAll
   static void takeDown() throws Exception {
     try {
-      Outcome down = processes.dfra(PATIENCE, "down", state());
+      Outcome down = MarkedProcesses.here("down", state());
       assertThat(down.exit()).as(down.out() + down.err()).isZero();
     } finally {
       beside.close();

@@ -112,7 +112,7 @@ class TaskVerbsIT {
   @AfterAll
   static void takeDown() throws Exception {
     try {
-      Outcome down = processes.dfra(PATIENCE, "down", state());
+      Outcome down = MarkedProcesses.here("down", state());
       assertThat(down.exit()).as(down.out() + down.err()).isZero();
     } finally {
       processes.close();

@@ -35,6 +35,11 @@ class GroupVmIT {
   @TempDir static Path temp;
   private static PhoenixFixture phoenix;
 
+  /** A group that no test harms, and its only object. */
+  private static ActivationGroupID quietGroup;
+
+  private static Beacon quiet;
+
   @BeforeAll
   static void start() throws Exception {
     phoenix =
@@ -47,6 +52,8 @@ class GroupVmIT {
                 "unexportTimeout=1000L",
                 "permittedCommands=new String[] { \"*\" }")
             .start();
+    quietGroup = phoenix.group("quiet");
+    quiet = phoenix.beacon(quietGroup, "ok " + phoenix.device("quiet"), false);
   }
 
   @AfterAll
@@ -255,11 +262,9 @@ class GroupVmIT {
 
   @Test
   void secondVirtualMachineIsRefusedTheGroupByItsLock() throws Exception {
-    ActivationGroupID group = phoenix.group("owned");
-    Beacon beacon = phoenix.beacon(group, "ok " + phoenix.device("owned"), false);
-    ActivationGroupDesc desc = phoenix.system().getActivationGroupDesc(group);
+    ActivationGroupDesc desc = phoenix.system().getActivationGroupDesc(quietGroup);
     // The same command as phoenix gave, but with an output file that phoenix does not write to.
-    List<String> command = new ArrayList<>(PhoenixFixture.arguments(beacon.pid()));
+    List<String> command = new ArrayList<>(PhoenixFixture.arguments(quiet.pid()));
     Path output = temp.resolve("second.log");
     command.replaceAll(
         a ->
@@ -270,7 +275,7 @@ class GroupVmIT {
             .redirectOutput(temp.resolve("second.vm.log").toFile())
             .start();
     try (ObjectOutputStream out = new ObjectOutputStream(second.getOutputStream())) {
-      out.writeObject(group);
+      out.writeObject(quietGroup);
       out.writeObject(
           new ActivationGroupDesc(
               ActivationGroupImpl.class.getName(), null, null, null, desc.getCommandEnvironment()));
@@ -282,16 +287,14 @@ class GroupVmIT {
         .isEqualTo(11);
     assertThat(output)
         .content()
-        .contains("process " + beacon.pid() + " still owns this group")
+        .contains("process " + quiet.pid() + " still owns this group")
         .contains("a second one is refused until that one has ended");
-    assertThat(beacon.pid()).isPositive();
+    assertThat(quiet.pid()).isPositive();
   }
 
   @Test
   void processThatIsNeverToldItsGroupEnds() throws Exception {
-    ActivationGroupID group = phoenix.group("untold");
-    Beacon beacon = phoenix.beacon(group, "ok", false);
-    Process untold = new ProcessBuilder(PhoenixFixture.arguments(beacon.pid())).start();
+    Process untold = new ProcessBuilder(PhoenixFixture.arguments(quiet.pid())).start();
     untold.getOutputStream().close();
     assertThat(untold.waitFor(20, TimeUnit.SECONDS)).isTrue();
     assertThat(untold.exitValue()).isEqualTo(10);

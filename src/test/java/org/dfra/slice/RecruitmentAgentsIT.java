@@ -40,14 +40,24 @@ import org.dfra.river.server.sensor.RangeServer;
 import org.dfra.robot.LivingPhoenix;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A helper in processes of its own, whose agent is killed on its way: it goes on, and arrives. */
+/**
+ * A helper in processes of its own, whose agent is killed on its way: it goes on, and arrives. The
+ * tests share the helper's body; each brings it up with an agent of other parameters, and its way
+ * begins where the one before has ended it.
+ */
 @Timeout(300)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class RecruitmentAgentsIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(90);
@@ -61,7 +71,30 @@ class RecruitmentAgentsIT {
   private static final HelpCall FAR =
       new HelpCall("mine", SmallRobot.at(90, 0), Duration.ofMinutes(5), Duration.ofMinutes(3));
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
+  private static LivingPhoenix phoenix;
+
+  @BeforeAll
+  static void startPhoenix() throws Exception {
+    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+  }
+
+  @AfterAll
+  static void endPhoenix() throws Exception {
+    try (LivingPhoenix ended = phoenix) {
+      assertThat(ended).isNotNull();
+    }
+  }
+
+  /** Brings it up, or only its agent anew where its body is up. */
+  private static void up(String name, Map<String, String> ofAgent) throws Exception {
+    try {
+      assertThat(new RobotBootstrap(phoenix.process(), RobotXml.read(robot(name, ofAgent))).up())
+          .hasSize(10);
+    } finally {
+      phoenix.note();
+    }
+  }
 
   private static String module(String name, String properties, String parameters) {
     return "<module name=\"%s\" properties=\"%s.properties\">%s</module>%n"
@@ -78,7 +111,7 @@ class RecruitmentAgentsIT {
         .formatted(name, server.getName(), proxy.getName(), driver.getName().replace("$", "$$"));
   }
 
-  private Path robot(String name, Map<String, String> ofAgent) throws Exception {
+  private static Path robot(String name, Map<String, String> ofAgent) throws Exception {
     Map<String, String> parameters = new TreeMap<>(Map.of("percepts", "mine", "tolerance", "0.6"));
     parameters.putAll(ofAgent);
     return Files.writeString(
@@ -116,18 +149,15 @@ class RecruitmentAgentsIT {
   }
 
   @Test
+  @Order(1) // its way is short, and begins where the robot stands at first
   void aHelperWhoseAgentIsKilledOnItsWayGoesOn() throws Exception {
     ServedModule<?> uav =
         ServedModule.written(folder, "agent", "recruitment-agent", Map.of())
             .on("uav")
             .joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
-        LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
         JiniModuleDirectory directory = REGGIE.directory()) {
-      assertThat(
-              new RobotBootstrap(phoenix.process(), RobotXml.read(robot("robot", Map.of()))).up())
-          .hasSize(10);
-      phoenix.note();
+      up("robot", Map.of());
       RecruitmentAgent asking = agent(directory, "uav");
       assertThat(asking.identification()).as("%s", serving).isNotNull();
       RecruitmentAgent helping = agent(directory, "robot");
@@ -188,11 +218,8 @@ class RecruitmentAgentsIT {
             .on("uav")
             .joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
-        LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
         JiniModuleDirectory directory = REGGIE.directory()) {
-      Map<String, String> eager = Map.of("strategy", "greedy", "speed", "1");
-      new RobotBootstrap(phoenix.process(), RobotXml.read(robot("robot", eager))).up();
-      phoenix.note();
+      up("robot", Map.of("strategy", "greedy", "speed", "1"));
       RecruitmentAgent asking = agent(directory, "uav");
       assertThat(asking.identification()).as("%s", serving).isNotNull();
       RecruitmentAgent helping = agent(directory, "robot");
@@ -232,6 +259,7 @@ class RecruitmentAgentsIT {
           .atMost(PATIENCE)
           .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
       asking.release();
+      await().atMost(PATIENCE).until(() -> phase(helping) == ResponderPhase.FREE);
     }
   }
 
@@ -243,15 +271,13 @@ class RecruitmentAgentsIT {
     ServedModule<?> uav =
         ServedModule.written(folder, "agent", "recruitment-agent", quick).on("uav").joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
-        LivingPhoenix phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
         JiniModuleDirectory directory = REGGIE.directory()) {
       for (Map.Entry<String, String> each : Map.of("robot", "20", "other", "4").entrySet()) {
         Map<String, String> ofAgent = new TreeMap<>(quick);
         ofAgent.put("strategy", "greedy");
         ofAgent.put("speed", each.getValue()); // the nearer one by its own word is chosen
-        new RobotBootstrap(phoenix.process(), RobotXml.read(robot(each.getKey(), ofAgent))).up();
+        up(each.getKey(), ofAgent);
       }
-      phoenix.note();
       RecruitmentAgent asking = agent(directory, "uav");
       assertThat(asking.identification()).as("%s", serving).isNotNull();
       RecruitmentAgent first = agent(directory, "robot");
