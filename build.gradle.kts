@@ -7,7 +7,7 @@ allprojects {
     tasks.withType<JavaCompile>().configureEach {
         options.release.set(17)
         options.encoding = "UTF-8"
-        // Else each place that joins strings is linked when it first runs: a tenth of the start of every process.
+        // Else each place that joins strings is linked when it first runs, again in every process that starts.
         options.compilerArgs.addAll(
             listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters", "-XDstringConcat=inline"))
     }

@@ -31,7 +31,7 @@ launch() {
     shift 4
     set -f # DFRA_OPTIONS is not quoted on purpose: options are separated by blanks, and no pattern in them names a file
     # shellcheck disable=SC2086
-    exec "$home/bin/java" ${DFRA_OPTIONS:-} -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto \
+    exec "$home/bin/java" ${DFRA_OPTIONS:-} -XX:TieredStopAtLevel=1 -XX:CompileThresholdScaling=3 -XX:+UseSerialGC -Xshare:auto \
         "-Xbootclasspath/a:$boot" "-Ddfra.root=$root" "-Ddfra.boot=$boot" "-Ddfra.lib=$lib" "-Ddfra.called=$called" \
         -cp "$lib/*${DFRA_CLASSPATH:+:$DFRA_CLASSPATH}" org.dfra.app.Main "$@"
 }

@@ -4,13 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.awaitility.core.ConditionFactory;
+import org.dfra.app.raster.SparseField;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.testing.TestHosts;
@@ -22,15 +25,17 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Two robots on two hosts, which find each other by multicast, lose each other and find each other
- * again. The connection is cut as radio is: silently.
+ * again. The connection is cut as radio is: silently. In the short form all of a robot is in one
+ * process.
  */
 @Timeout(600)
 class TwoHostsIT {
 
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   /** Longer than a lease of 30 s and the three seconds after which silence counts. */
-  private static final Duration CUT = Duration.ofSeconds(Boolean.getBoolean("dfra.full") ? 60 : 36);
+  private static final Duration CUT = Duration.ofSeconds(FULL ? 60 : 36);
 
   /** The requirement after a cut. */
   private static final Duration CONSISTENT = Duration.ofSeconds(10);
@@ -74,8 +79,13 @@ class TwoHostsIT {
 
   private static RobotHost host(int number, String name) throws Exception {
     List<String> client = List.of(HostClient.class.getName());
-    Path xml = RobotHost.shipped("field", "atrv" + (number + 1));
-    return new RobotHost(network, number, "field", xml, folder.resolve(name), "real", client);
+    String robot = "atrv" + (number + 1);
+    Path own = Files.createDirectory(folder.resolve(name));
+    Path xml =
+        FULL
+            ? RobotHost.shipped("field", robot)
+            : SparseField.robot("field", own, robot, "gps_front", Set.of());
+    return new RobotHost(network, number, "field", xml, own, "real", client);
   }
 
   @AfterAll

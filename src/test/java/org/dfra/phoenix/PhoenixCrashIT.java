@@ -42,9 +42,6 @@ class PhoenixCrashIT {
   private static final int PHOENIXES = FULL ? 2 : 1;
   private static final int KILLS = FULL ? 100 : 6; // of each
 
-  /** More would make every snapshot, which comes after 20 changes, longer and show nothing new. */
-  private static final int MOST_OBJECTS = 300;
-
   private static final List<String> GROUPS = List.of("left", "right");
 
   @TempDir Path temp;
@@ -190,7 +187,7 @@ class PhoenixCrashIT {
       List<ActivationID> known = new ArrayList<>(objects.keySet());
       known.removeAll(activated.values());
       int what = own.nextInt(10);
-      if (what < 6 && known.size() < MOST_OBJECTS || known.size() < 3) {
+      if (what < 6 || known.size() < 3) {
         register(GROUPS.get(own.nextInt(GROUPS.size())), false);
         return;
       }

@@ -49,6 +49,7 @@ public final class TalkingProcess implements AutoCloseable {
                 System.getProperty("java.home") + "/bin/java",
                 "-Xbootclasspath/a:" + System.getProperty("dfra.boot"),
                 "-XX:TieredStopAtLevel=1",
+                "-XX:CompileThresholdScaling=3",
                 "-XX:+UseSerialGC",
                 "-Xmx128m"));
     command.addAll(options);

@@ -65,12 +65,18 @@ public final class SparseField {
   /**
    * Writes a robot's description and returns its file, {@code NAME.xml}.
    *
-   * @param into the group that the modules of all other groups move to
+   * @param into the group that the registrar and the modules of all other groups move to
    * @param apart groups that stay as they are
    */
   public static Path robot(Path folder, String name, String into, Set<String> apart)
       throws Exception {
-    Document robot = read(ROOT.resolve("config/teams/raster/" + name + ".xml"));
+    return robot("raster", folder, name, into, apart);
+  }
+
+  /** The same for a robot of another team. */
+  public static Path robot(String team, Path folder, String name, String into, Set<String> apart)
+      throws Exception {
+    Document robot = read(ROOT.resolve("config/teams/" + team + "/" + name + ".xml"));
     Element together =
         elements(robot, "group").stream()
             .filter(each -> each.getAttribute("name").equals(into))
@@ -85,6 +91,13 @@ public final class SparseField {
         if (group.getElementsByTagName("module").getLength() == 0) {
           remove(group);
         }
+      }
+    }
+    for (Element registrar : elements(robot, "registrar")) {
+      Element group = (Element) registrar.getParentNode();
+      if (group != together && !apart.contains(group.getAttribute("name"))) {
+        together.insertBefore(registrar, together.getElementsByTagName("module").item(0));
+        remove(group);
       }
     }
     for (Element parameter : elements(robot, "parameter")) {

@@ -13,9 +13,9 @@ import java.time.ZoneId;
 import java.time.ZoneOffset;
 
 /**
- * A line of the log and, where there is one, the exception's lines after it: what Logback's pattern
- * {@value #PATTERN} gives. A pattern has Logback load and link a hundred classes of converters for
- * one such line, which took a tenth of the start of every process of a robot.
+ * Writes an event as a line of the log and, if there is an exception, its lines after it: what
+ * Logback's pattern {@value #PATTERN} gives. For a pattern Logback loads some hundred classes of
+ * converters in every process that starts.
  */
 final class LineEncoder extends EncoderBase<ILoggingEvent> {
 

@@ -34,6 +34,7 @@ public final class JvmCommand {
     options.addAll(SerialFilters.options());
     options.addAll(RobotTime.options());
     options.add("-XX:TieredStopAtLevel=1");
+    options.add("-XX:CompileThresholdScaling=3"); // a third of a start was spent on compiling
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");
     options.add("-cp");

@@ -50,7 +50,7 @@ class ProcessMissionIT {
     Scenario scenario = FewLanes.scenario();
     if (!FULL) {
       world = SparseField.world(folder, Map.of("atrv1", new Start(10.5, 3, 0)));
-      Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation"));
+      Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation", "lookup"));
       scenario = FewLanes.scenario(world, robot);
     }
     return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, troubles, figures)
