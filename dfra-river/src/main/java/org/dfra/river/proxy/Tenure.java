@@ -25,11 +25,12 @@ import org.jspecify.annotations.Nullable;
  * lost it or died, asks for a new one.
  *
  * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
- * short. All tenures of this virtual machine share one timer thread, which only sends them to work:
- * the calls are made by threads that exist while a call is under way, so a silent server delays
- * nobody else's renewal. How long the lease lasts goes by monotonic time: setting the computer's
- * clock ends none and prolongs none. It is kept alive by the timer; it ends when it is closed, or
- * hears that its lease was revoked, or has lost one that does not come back.
+ * short, and once more soon after the first call that failed. All tenures of this virtual machine
+ * share one timer thread, which only sends them to work: the calls are made by threads that exist
+ * while a call is under way, so a silent server delays nobody else's renewal. How long the lease
+ * lasts goes by monotonic time: setting the computer's clock ends none and prolongs none. It is
+ * kept alive by the timer; it ends when it is closed, or hears that its lease was revoked, or has
+ * lost one that does not come back.
  */
 final class Tenure implements AutoCloseable {
 
@@ -45,6 +46,12 @@ final class Tenure implements AutoCloseable {
 
   /** With the usual deadline of 2 s, a server that falls silent is noticed within 3 s. */
   private static final long PERIOD_MILLIS = 800;
+
+  /**
+   * The wait after the first call that failed. A server that is killed breaks off the call that is
+   * under way, and the next one has it brought back.
+   */
+  private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
   private static final System.Logger LOG = System.getLogger(Tenure.class.getName());
   private static final ThreadPoolExecutor CALLERS = CallThreads.pool("dfra-renewal-");
@@ -64,6 +71,7 @@ final class Tenure implements AutoCloseable {
   private boolean closed;
   private @Nullable Instant interruptedSince; // for people
   private long interruptedNanos; // the same, by the scheduler's time
+  private boolean justMissed; // the last call failed, and none before it
   private @Nullable Task next;
 
   /**
@@ -128,7 +136,10 @@ final class Tenure implements AutoCloseable {
   synchronized void start() {
     if (!closed) {
       HeldLeases.add(lease);
-      next = scheduler.after(periodNanos, this::send);
+      next =
+          scheduler.after(
+              justMissed ? Math.min(RETRY_NANOS, periodNanos) : periodNanos, this::send);
+      justMissed = false;
     }
   }
 
@@ -289,6 +300,7 @@ final class Tenure implements AutoCloseable {
     if (interruptedSince == null && !closed) {
       interruptedSince = Instant.now();
       interruptedNanos = scheduler.nanos();
+      justMissed = true;
       LOG.log(Level.WARNING, () -> what + ": interrupted, trying again until it is closed: " + e);
     }
   }

@@ -74,4 +74,27 @@ class TenureTest {
     assertThat(lease.renewed).hasSize(2);
     use.close();
   }
+
+  /** A server that is killed breaks off the call that is under way; the next brings it back. */
+  @Test
+  void asksAgainSoonAfterTheFirstFailureAndAtItsUsualPaceAfterTheNext() {
+    AtomicInteger calls = new AtomicInteger();
+    Executor callers =
+        task -> {
+          calls.incrementAndGet();
+          task.run();
+        };
+    Tenure use = new Tenure("use of r/gps", LEASE.toMillis(), lease, time, callers);
+    lease.failsBy(new RemoteException("broken off"));
+    use.start();
+    time.pass(Duration.ofMillis(800));
+    assertThat(calls).hasValue(1);
+    time.pass(Duration.ofMillis(100));
+    assertThat(calls).hasValue(2);
+    time.pass(Duration.ofMillis(700));
+    assertThat(calls).hasValue(2);
+    time.pass(Duration.ofMillis(100));
+    assertThat(calls).hasValue(3);
+    use.close();
+  }
 }

@@ -146,12 +146,21 @@ public final class Hearing implements AutoCloseable {
 
   /** Events of a module that were told and not heard. */
   public long lost(String module) {
+    return subscription(module).lost();
+  }
+
+  /** Whether a module that is listened to cannot be reached, as far as is known. */
+  public boolean isInterrupted(String module) {
+    return subscription(module).interruptedSince().isPresent();
+  }
+
+  private Subscription subscription(String module) {
     @Nullable Subscription subscription = subscriptions.get(module);
     if (subscription == null) {
       throw new IllegalArgumentException(
           robot + " has no module " + module + " that is listened to");
     }
-    return subscription.lost();
+    return subscription;
   }
 
   @Override

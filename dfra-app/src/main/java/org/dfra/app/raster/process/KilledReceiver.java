@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.app.demo.stage.RecoverySteps;
 import org.dfra.app.raster.live.Hearing.Position;
 import org.dfra.app.raster.live.Scene;
 import org.dfra.app.raster.live.Searching;
@@ -27,6 +28,7 @@ final class KilledReceiver implements Trouble<FieldRobot> {
   // known once it is killed
   private @Nullable Instant killed;
   private @Nullable Position last;
+  private @Nullable RecoverySteps steps;
   private long lost;
 
   /**
@@ -61,12 +63,17 @@ final class KilledReceiver implements Trouble<FieldRobot> {
     long process = victim.robot().process(receiver);
     lost = victim.hearing().lost(receiver);
     killed = now.clock().instant();
+    steps =
+        RecoverySteps.of(victim.robot(), receiver, process)
+            .step("subscription interrupted", () -> victim.hearing().isInterrupted(receiver));
     victim.robot().host().kill(process);
     now.mark(killed, victim, "%s is killed (process %d)", receiver, process);
   }
 
   private void seeWhetherItIsBack(
       Scene<FieldRobot> now, Searching<FieldRobot> victim, Instant since) throws Exception {
+    RecoverySteps recovery = Objects.requireNonNull(steps);
+    recovery.look();
     List<Position> all = victim.hearing().positions();
     Position before = Objects.requireNonNull(last);
     @Nullable Position newest = last(all);
@@ -94,10 +101,13 @@ final class KilledReceiver implements Trouble<FieldRobot> {
         Scene.seconds(before.measured(), back.measured()),
         others,
         victim.hearing().lost(receiver) - lost);
-    now.figure(
-        receiver + " killed to heard again",
-        Scene.seconds(since, back.measured()) / now.speed(),
-        MOST);
+    double took = Scene.seconds(since, back.measured()) / now.speed();
+    if (took
+        > Double.parseDouble(
+            System.getProperty("x.most", "5"))) { // a user sees which part took long
+      now.mark(now.clock().instant(), victim, "%s took %.1f s: %s", receiver, took, recovery);
+    }
+    now.figure(receiver + " killed to heard again", took, MOST);
     over = true;
   }
 
