@@ -132,7 +132,7 @@ class CommandTimeoutTest {
     await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
     CountDownLatch timer = new CountDownLatch(1);
     Object unused =
-        Scheduler.system().after(TimeUnit.SECONDS.toNanos(1), timer::countDown); // after its end
+        Scheduler.system().after(TimeUnit.SECONDS.toNanos(3), timer::countDown); // after its end
     assertThat(timer.await(20, TimeUnit.SECONDS)).as("the timer of all others runs on").isTrue();
     assertThat(writing).isNotDone();
     assertThat(heldUp.helm().commander()).as("it is not over before it rests").isNotNull();
@@ -141,7 +141,8 @@ class CommandTimeoutTest {
     await().atMost(PATIENCE).until(() -> heldUp.helm().commander() == null);
   }
 
+  /** Long enough for the write to begin and its time-out to come first, on a busy computer too. */
   private java.util.UUID grant(Runnable over) throws LeaseRefusedException {
-    return heldUp.leases().grant(Duration.ofMillis(500), Holder.COMMANDER, null, over).id();
+    return heldUp.leases().grant(Duration.ofSeconds(2), Holder.COMMANDER, null, over).id();
   }
 }
