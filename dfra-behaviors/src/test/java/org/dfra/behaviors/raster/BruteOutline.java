@@ -149,7 +149,9 @@ final class BruteOutline {
     double square = dx * dx + dy * dy;
     double share = square == 0 ? 0 : ((x - ax) * dx + (y - ay) * dy) / square;
     share = Math.max(0, Math.min(1, share));
-    return Math.hypot(x - ax - share * dx, y - ay - share * dy);
+    double east = x - ax - share * dx;
+    double north = y - ay - share * dy;
+    return Math.sqrt(east * east + north * north); // hypot takes five times as long, for nothing
   }
 
   @Override

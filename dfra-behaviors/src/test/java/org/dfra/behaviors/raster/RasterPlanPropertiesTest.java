@@ -46,13 +46,14 @@ class RasterPlanPropertiesTest {
 
   private static void requireSeen(
       RasterPlan plan, BruteOutline outline, Random random, String what) {
+    double allowed = plan.swath() / 2 + PROMISED;
     for (int i = 0; i < POINTS; i++) {
       double[] point = outline.point(random, plan.path(), plan.swath() / 2);
       double nearest = Double.POSITIVE_INFINITY;
-      for (Lane lane : plan.lanes()) {
-        nearest = Math.min(nearest, BruteOutline.distance(point, lane));
+      for (int k = 0; k < plan.lanes().size() && nearest > allowed; k++) {
+        nearest = Math.min(nearest, BruteOutline.distance(point, plan.lanes().get(k)));
       }
-      if (!(nearest <= plan.swath() / 2 + PROMISED)) { // asked millions of times
+      if (!(nearest <= allowed)) { // asked millions of times
         throw new AssertionError(
             "%s: %s m from %s to the nearest lane"
                 .formatted(what, nearest, new LocalPosition(point[0], point[1], 0)));
