@@ -39,7 +39,7 @@ allprojects {
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
     val soak = providers.gradleProperty("dfra.soak").getOrElse("false")
-    val alone = providers.gradleProperty("dfra.alone").getOrElse("false")
+    val repeats = providers.gradleProperty("dfra.repeats").getOrElse("false")
     val seed = providers.gradleProperty("dfra.seed").getOrElse("2004") // as in pom.xml
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
@@ -55,7 +55,7 @@ allprojects {
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
         systemProperty("dfra.soak", soak)
-        systemProperty("dfra.alone", alone)
+        systemProperty("dfra.repeats", repeats)
         systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little

@@ -212,6 +212,7 @@ class RecruitmentAgentsIT {
 
   /** Somebody steps in front of a helper and has it stop; then its agent's process dies. */
   @Test
+  @Order(2)
   void aHelperThatSomebodyStoppedAnswersNoCallUntilAPersonLetsItGoOn() throws Exception {
     ServedModule<?> uav =
         ServedModule.written(folder, "agent", "recruitment-agent", Map.of())
@@ -265,6 +266,7 @@ class RecruitmentAgentsIT {
 
   /** Long, since a lease of the task has to end, and another helper has to be asked. */
   @Test
+  @Order(3) // it brings up another robot, which would answer the others' calls
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes a minute")
   void aHelperWhoseAgentIsSuspendedOnItsWayIsNeverOneOfTwo() throws Exception {
     Map<String, String> quick = Map.of("replace_after", "6", "help_every", "1");

@@ -105,7 +105,7 @@ class BuildParityTest {
         pom.substring(
             pom.indexOf("<systemPropertyVariables>"), pom.indexOf("</systemPropertyVariables>"));
     assertThat(Pattern.compile("<(dfra\\.\\w+)>").matcher(handed).results().map(m -> m.group(1)))
-        .contains("dfra.alone", "dfra.full", "dfra.soak", "dfra.seed")
+        .contains("dfra.full", "dfra.repeats", "dfra.soak", "dfra.seed")
         .allMatch(
             name ->
                 script.contains("systemProperty(\"" + name + "\", ")

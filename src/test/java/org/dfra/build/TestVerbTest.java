@@ -147,12 +147,14 @@ class TestVerbTest {
   void runsTestsBesideEachOtherAndMeasuresAloneOnlyInAFullRun() throws Exception {
     String boot = "-Xbootclasspath/a:" + house.toRealPath() + "/dfra-activation/target/classes";
     assertThat(given("maven"))
-        .contains("-T", "-Ddfra.test.forks.across=4", "-Ddfra.test.alone=%regex[none]")
+        .contains("-T", "-Ddfra.test.forks.across=4", "-Ddfra.test.alone=%regex[none]", "-Ddfra.test.paired=%regex[none]")
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
         .contains(
-            "-Ddfra.test.alone=%regex[org/dfra/(app/Demo.*IT|app/raster/process/.*IT"
+            "-Ddfra.test.alone=%regex[org/dfra/(app/Demo(Raster|Recruit)IT|app/raster/process/.*IT)"
+                + "\\.class]",
+            "-Ddfra.test.paired=%regex[org/dfra/(app/Demo(Devices|Foundation|Persona)IT"
                 + "|phoenix/KilledModuleIT)\\.class]");
   }
 
@@ -255,12 +257,12 @@ class TestVerbTest {
             + """
             mkdir -p '%1$s'
             case "$*" in
-                *dfra.alone=true*)
+                *dfra.repeats=false*)
                     for each in "$@"; do echo "$each"; done >again
                     [ -z '%5$s' ] || cat >'%2$s' <<'END'
             %4$sEND
                     ;;
-                *dfra.alone=false*)
+                *dfra.repeats=true*)
                     cat >'%2$s' <<'END'
             %3$sEND
                     ;;
@@ -344,13 +346,13 @@ class TestVerbTest {
   void countsTheOtherTestsOfAModuleWhoseReportsGradleRemoves() throws Exception {
     String reports = "dfra-a/build/test-results/test";
     Path during = house.resolve("during");
-    String removed = "case \"$*\" in *dfra.alone=true*) rm -rf " + reports + " ;; esac\n";
+    String removed = "case \"$*\" in *dfra.repeats=false*) rm -rf " + reports + " ;; esac\n";
     Files.writeString(during, removed);
     leaveMiss(reports, "FirstTest", "", GOOD);
     Files.writeString(
         during,
         Files.readString(during)
-            + "case \"$*\" in *dfra.alone=false*) sed 's/MISSED//; s/FirstTest/OtherTest/'"
+            + "case \"$*\" in *dfra.repeats=true*) sed 's/MISSED//; s/FirstTest/OtherTest/'"
             + " <%1$s/TEST-org.dfra.FirstTest.xml >%1$s/TEST-org.dfra.OtherTest.xml ;; esac\n"
                 .formatted(reports));
     assertThat(test("gradle")).as(said).isZero();

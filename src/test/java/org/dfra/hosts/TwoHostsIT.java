@@ -139,9 +139,11 @@ class TwoHostsIT {
       patiently().until(() -> heard(host, elsewhere, 0) >= 2);
     }
 
+    long watched = System.nanoTime();
     watchBoth();
-    long cut = System.nanoTime();
     network.cut();
+    long cut = System.nanoTime();
+    Duration whole = Duration.ofNanos(cut - watched); // that the connection was whole, watched
     for (int i = 0; i < 2; i++) {
       RobotHost host = hosts.get(i);
       String elsewhere = hosts.get(1 - i).robot() + "/gps_front";
@@ -153,7 +155,9 @@ class TwoHostsIT {
               "a call over the cut connection, with a deadline of 2 s,",
               i == 0 ? CALL_ENDED : LATER_CALL_ENDED);
       patiently().until(() -> host.ask("call " + host.robot() + "/gps_front").endsWith(" ok"));
-      changed(host, elsewhere).requireWithin("reporting that a module is out of reach", REPORTED);
+      Timing reported = changed(host, elsewhere);
+      new Timing(reported.took().minus(whole), reported.stalled(), reported.load())
+          .requireWithin("reporting that a module is out of reach", REPORTED);
       assertThat(host.ask("heard " + elsewhere)).endsWith(" interrupted");
       patiently()
           .until(

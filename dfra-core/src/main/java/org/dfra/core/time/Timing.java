@@ -9,8 +9,8 @@ import java.util.Locale;
  *
  * <p>A <em>stall</em> is nobody's fault. An <em>overload</em> may come from the tests themselves,
  * several of which run at a time. So a bound that was missed during an overload is no result yet:
- * the test is to be repeated alone, where load excuses nothing. {@code ./dfra test} does that, with
- * the system property {@value #ALONE}.
+ * the test is to be repeated alone, where load excuses nothing. {@code ./dfra test} does that, and
+ * promises it with the system property {@value #REPEATS}.
  *
  * @param took from begin to end, monotonic time
  * @param stalled for how much of it the computer ran no program that was due
@@ -18,24 +18,30 @@ import java.util.Locale;
  */
 public record Timing(Duration took, Duration stalled, double load) {
 
-  /** The system property that is {@code true} where nothing runs beside the test. */
-  public static final String ALONE = "dfra.alone";
+  /**
+   * The system property that is {@code true} where a test that missed a bound during an overload is
+   * going to be repeated alone. Elsewhere load excuses nothing.
+   */
+  public static final String REPEATS = "dfra.repeats";
 
   /** Below this sum of stalls a computer counts as one that ran its programs on time. */
   private static final Duration STALL = Duration.ofMillis(100);
 
+  /** Nor does a bound bear more: stalls of a tenth of it count in any case. */
+  private static final int SHARE = 10;
+
   /** From so many runnable threads per processor on a computer counts as overloaded. */
   private static final double OVERLOAD = 2;
 
-  /** What it would have taken on a computer that did not stall. */
-  public Duration withoutStalls() {
-    return stalled.compareTo(STALL) >= 0 ? took.minus(stalled) : took;
+  /** What it would have taken on a computer that did not stall; stalls that are short do not count. */
+  private Duration withoutStalls(Duration bound) {
+    boolean counts = stalled.compareTo(STALL) >= 0 || stalled.multipliedBy(SHARE).compareTo(bound) >= 0;
+    return counts ? took.minus(stalled) : took;
   }
 
-  /** What it would have taken on a computer that did not stall and was not overloaded. */
-  public Duration adjusted() {
-    double share = load >= OVERLOAD ? 1 / load : 1;
-    return Duration.ofNanos((long) (withoutStalls().toNanos() * share));
+  /** What that would have taken on a computer that was not overloaded. */
+  private Duration onAnIdleOne(Duration time) {
+    return Duration.ofNanos((long) (load >= OVERLOAD ? time.toNanos() / load : time.toNanos()));
   }
 
   /** How it compares with a bound. */
@@ -43,24 +49,27 @@ public record Timing(Duration took, Duration stalled, double load) {
     if (took.compareTo(bound) <= 0) {
       return Outcome.MET;
     }
-    if (withoutStalls().compareTo(bound) <= 0) {
+    Duration own = withoutStalls(bound);
+    if (own.compareTo(bound) <= 0) {
       return Outcome.MISSED_DURING_A_STALL;
     }
-    return adjusted().compareTo(bound) <= 0 ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
+    return onAnIdleOne(own).compareTo(bound) <= 0
+        ? Outcome.MISSED_DURING_AN_OVERLOAD
+        : Outcome.MISSED;
   }
 
   /**
    * Returns if the bound was kept. Returns, too, and prints a line that says so, if it was missed
-   * and a stall explains that, or if an overload explains it and the test does not run alone.
+   * and a stall explains that, or if an overload explains it and the test is going to be repeated.
    *
    * @throws AssertionError if it was missed and nothing explains that
    */
   public void requireWithin(String what, Duration bound) {
-    requireWithin(what, bound, Boolean.getBoolean(ALONE), System.out);
+    requireWithin(what, bound, Boolean.getBoolean(REPEATS), System.out);
   }
 
-  /** The same, for a test that runs alone or not, with a place for the line. */
-  void requireWithin(String what, Duration bound, boolean alone, PrintStream out) {
+  /** The same, for a test that is repeated or not, with a place for the line. */
+  void requireWithin(String what, Duration bound, boolean repeats, PrintStream out) {
     String missed =
         String.format(
             Locale.ROOT,
@@ -68,7 +77,7 @@ public record Timing(Duration took, Duration stalled, double load) {
             what,
             took.toNanos() / 1e9,
             bound.toNanos() / 1e9);
-    require(against(bound), missed, alone, out);
+    require(against(bound), missed, repeats, out);
   }
 
   /**
@@ -84,13 +93,14 @@ public record Timing(Duration took, Duration stalled, double load) {
     if (count <= stalled.dividedBy(each)) {
       return Outcome.MISSED_DURING_A_STALL;
     }
-    return load >= OVERLOAD ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
+    Duration waited = took.minus(onAnIdleOne(took)).plus(stalled);
+    return count <= waited.dividedBy(each) ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
   }
 
   /**
    * Returns if something that is not to happen did not. Returns, too, and prints a line that says
-   * so, if it happened no more often than stalls explain, or if there was an overload and the test
-   * does not run alone.
+   * so, if it happened no more often than stalls explain, or than an overload does and the test is
+   * going to be repeated.
    *
    * @param what what happened
    * @param count how often it happened
@@ -105,10 +115,10 @@ public record Timing(Duration took, Duration stalled, double load) {
             what,
             count,
             each.toNanos() / 1e9);
-    require(against(count, each), missed, Boolean.getBoolean(ALONE), System.out);
+    require(against(count, each), missed, Boolean.getBoolean(REPEATS), System.out);
   }
 
-  private void require(Outcome outcome, String missed, boolean alone, PrintStream out) {
+  private void require(Outcome outcome, String missed, boolean repeats, PrintStream out) {
     String sentence =
         String.format(
             Locale.ROOT,
@@ -120,7 +130,7 @@ public record Timing(Duration took, Duration stalled, double load) {
       case MET -> {}
       case MISSED_DURING_A_STALL -> out.println("MISSED DURING A STALL: " + sentence);
       case MISSED_DURING_AN_OVERLOAD -> {
-        if (alone) {
+        if (!repeats) {
           throw new AssertionError(sentence);
         }
         // "./dfra test" looks for these words and repeats the test.

@@ -52,6 +52,16 @@ final class AgentMemory {
   private record Kept(String origin, long sinceBoot, Instant time, AgentSnapshot snapshot)
       implements Serializable {}
 
+  /** What was kept is there, and nothing can be made of it. */
+  static final class DamagedException extends IOException {
+
+    private static final long serialVersionUID = 1;
+
+    private DamagedException(String message, Exception cause) {
+      super(message, cause);
+    }
+  }
+
   private final ModuleContext context;
   private final StateStore state;
   private final BootId boot;
@@ -111,25 +121,25 @@ final class AgentMemory {
    * What must not be repeated of what was kept, as {@linkplain AgentSnapshot#afterAnotherBoot after
    * another boot}: where nobody knows whether this is another.
    *
-   * @throws IOException if it cannot be read, or is something else; the message names the file
+   * @throws DamagedException if it is something else; the message names the file
+   * @throws IOException if it cannot be read; likewise
    */
   Optional<AgentSnapshot> recallWithoutSpans() throws IOException {
     return read().map(this::withoutSpans);
   }
 
   private Optional<Kept> read() throws IOException {
+    String what = "what it kept of its conversations in " + state + "/" + DOCUMENT;
+    Optional<byte[]> kept;
     try {
-      Optional<byte[]> kept = state.read(DOCUMENT);
+      kept = state.read(DOCUMENT);
+    } catch (IOException e) { // of the disk, or for want of descriptors
+      throw new IOException(what + " cannot be read: " + e, e);
+    }
+    try {
       return kept.isEmpty() ? Optional.empty() : Optional.of(read(kept.get()));
     } catch (IOException | ClassNotFoundException | RuntimeException e) {
-      throw new IOException(
-          "what it kept of its conversations in "
-              + state
-              + "/"
-              + DOCUMENT
-              + " cannot be read: "
-              + e,
-          e);
+      throw new DamagedException(what + " cannot be understood: " + e, e);
     }
   }
 

@@ -192,11 +192,16 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   private void fail(IOException why) {
     body.stop();
     log.error("{}: it does not start: {}", path(), why.toString(), why);
+    String first =
+        why instanceof AgentMemory.DamagedException
+            ? "move that file away, by which it forgets its call and its promises, and restart it"
+            : "restart it when it can be read";
     become(
         Readiness.FAILED,
         why.getMessage()
-            + ", so it neither calls nor helps anybody; move that file away, by which it forgets its"
-            + " call and its promises, and restart it: ./dfra module stop "
+            + ", so it neither calls nor helps anybody; "
+            + first
+            + ": ./dfra module stop "
             + path()
             + ", then ./dfra module start "
             + path());

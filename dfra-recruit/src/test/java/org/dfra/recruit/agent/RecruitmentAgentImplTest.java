@@ -125,7 +125,7 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
     assertThat(uav.unreadiness().orElseThrow())
-        .startsWith("what it kept of its conversations in " + file + " cannot be read: ")
+        .startsWith("what it kept of its conversations in " + file + " cannot be understood: ")
         .endsWith(
             "; move that file away, by which it forgets its call and its promises, and restart it:"
                 + " ./dfra module stop uav/recruit, then ./dfra module start uav/recruit");
@@ -140,6 +140,20 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     again.help(call("mine"));
     assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
+  }
+
+  /** As for want of file descriptors: there is nothing wrong with the file. */
+  @Test
+  void itAsksOnlyForARestartWhereWhatItKeptCannotBeReadNow(@TempDir Path folder) throws IOException {
+    Path file = Files.createDirectory(folder.resolve("recruitment")); // so reading fails
+    RecruitmentAgentImpl uav = agent("uav", StateStore.in(folder), Map.of());
+    time.advance(Duration.ofSeconds(1));
+    assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
+    assertThat(uav.unreadiness().orElseThrow())
+        .startsWith("what it kept of its conversations in " + file + " cannot be read: ")
+        .endsWith(
+            "; restart it when it can be read: ./dfra module stop uav/recruit, then ./dfra module"
+                + " start uav/recruit");
   }
 
   @Test

@@ -245,6 +245,7 @@ public final class RobotBootstrap {
     Patience patience = Patience.of(TIME);
     RegisteredGroup.Module known = known(loader(patience), module, "start");
     endForgotten(patience);
+    keep(known);
     ServiceStart.of(
         new Service(robot.name() + "/" + module, known.group(), known.id()),
         known.activation().module().place(),
@@ -264,7 +265,7 @@ public final class RobotBootstrap {
     RegisteredGroup.Module old = known(loader, module.name(), "replace");
     requireOwn(module);
     endForgotten(patience);
-    ModuleIdentity identity = new ModuleIdentity(old.activation().id(), old.activation().created());
+    ModuleIdentity identity = keep(old);
     ActivationID id = loader.module(old.groupId(), old.group(), activation(module, identity));
     new ModuleEnd(phoenix.admin(), END).deactivate(old);
     Service service = new Service(module.path(), old.group(), id);
@@ -283,6 +284,14 @@ public final class RobotBootstrap {
     RegisteredGroup.Module old = known(loader(Patience.of(TIME)), module, "remove");
     new ModuleEnd(phoenix.admin(), END).forget(old);
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
+  }
+
+  /** The module's identity, by which the robot's others know it as theirs, is where they look. */
+  private ModuleIdentity keep(RegisteredGroup.Module module) throws IOException {
+    ModuleActivation activation = module.activation();
+    ModuleIdentity identity = new ModuleIdentity(activation.id(), activation.created());
+    identity.keep(folder(phoenix.state(), robot.name(), module.name()));
+    return identity;
   }
 
   /** Before a driver is started: one that phoenix has forgotten may have its device. */

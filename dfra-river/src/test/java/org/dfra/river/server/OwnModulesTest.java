@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
@@ -34,6 +35,8 @@ class OwnModulesTest {
 
   @TempDir Path state;
 
+  private final AtomicLong now = new AtomicLong(7);
+
   @BeforeEach
   void keepADrive() throws IOException {
     keep("atrv1", "drive", DRIVE);
@@ -51,7 +54,7 @@ class OwnModulesTest {
     return own(folder("atrv1", "search").toString());
   }
 
-  private static OwnModules own(@Nullable String folder) {
+  private OwnModules own(@Nullable String folder) {
     ModuleDescription search =
         new ModuleDescription(
             "atrv1",
@@ -65,7 +68,8 @@ class OwnModulesTest {
             Place.CODE);
     return new OwnModules(
         new ModuleActivation(
-            search, new UUID(2, 2), Instant.EPOCH, "127.0.0.1", List.of(), List.of(), folder));
+            search, new UUID(2, 2), Instant.EPOCH, "127.0.0.1", List.of(), List.of(), folder),
+        now::get);
   }
 
   private static ModuleListing<Module> listed(String name, UUID id) {
@@ -82,11 +86,23 @@ class OwnModulesTest {
   }
 
   @Test
-  void oneThatIsAddedLaterIsItsOwn() throws IOException {
+  void oneThatIsAddedLaterIsItsOwnAtOnceAlsoBesideANamesake() throws IOException {
     OwnModules own = own();
     UUID laser = new UUID(3, 3);
+    assertThat(own.test(listed("laser", new UUID(9, 9)))).isFalse();
+    keep("atrv1", "laser", laser);
+    assertThat(own.test(listed("laser", laser))).isTrue();
+  }
+
+  @Test
+  void thatOfAnotherRobotIsReadAgainNoMoreThanOnceASecond() throws IOException {
+    UUID laser = new UUID(3, 3);
+    OwnModules own = own();
     assertThat(own.test(listed("laser", laser))).isFalse();
     keep("atrv1", "laser", laser);
+    now.addAndGet(999_000_000);
+    assertThat(own.test(listed("laser", laser))).isFalse();
+    now.addAndGet(1_000_000);
     assertThat(own.test(listed("laser", laser))).isTrue();
   }
 

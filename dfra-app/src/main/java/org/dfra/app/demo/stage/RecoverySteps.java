@@ -3,19 +3,27 @@ package org.dfra.app.demo.stage;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.StringJoiner;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.dfra.river.phoenix.GroupStatus;
 
 /**
- * When each step of a recovery was seen first, so that one that takes too long can be told from the
- * others. Real time. Confined to one thread, which looks now and then: a step is seen no more
- * exactly than that.
+ * When each step of a recovery was seen first, so that one that takes too long can be distinguished
+ * from the others. Real time. A thread of its own looks ten times a second, since whoever answers
+ * may be slow then: a step is seen no more exactly than that. Safe for use by several threads.
  */
-public final class RecoverySteps {
+public final class RecoverySteps implements AutoCloseable {
+
+  /** Between the end of one look and the next. */
+  private static final Duration PERIOD = Duration.ofMillis(100);
+
+  /** After that nobody looks any more. */
+  private static final Duration LONGEST = Duration.ofMinutes(2);
 
   /** Whether a step has been taken. */
   @FunctionalInterface
@@ -24,10 +32,17 @@ public final class RecoverySteps {
     boolean isTaken() throws IOException;
   }
 
-  private final Map<String, Step> open = new LinkedHashMap<>();
-  private final Map<String, Duration> taken = new LinkedHashMap<>();
+  private final Map<String, Step> open = new LinkedHashMap<>(); // guarded by this
+  private final Map<String, Duration> taken = new LinkedHashMap<>(); // guarded by this
   private final LongSupplier nanos;
   private final long begin;
+  private final ScheduledExecutorService looks = new ScheduledThreadPoolExecutor(1, RecoverySteps::thread);
+
+  private static Thread thread(Runnable looks) {
+    Thread thread = new Thread(looks, "recovery-steps");
+    thread.setDaemon(true);
+    return thread;
+  }
 
   /** Begins to measure. */
   public RecoverySteps() {
@@ -62,26 +77,62 @@ public final class RecoverySteps {
   }
 
   /** One more, which may be taken before those that were named earlier. */
-  public RecoverySteps step(String name, Step step) {
+  public synchronized RecoverySteps step(String name, Step step) {
     open.put(name, step);
     return this;
   }
 
+  /** Looks at them from now on, until all are taken, this is closed or two minutes have passed. */
+  public RecoverySteps watch() {
+    long period = PERIOD.toNanos();
+    looks.scheduleWithFixedDelay(this::lookOrEnd, 0, period, TimeUnit.NANOSECONDS);
+    return this;
+  }
+
+  private void lookOrEnd() {
+    look();
+    if (stillOpen().isEmpty() || nanos.getAsLong() - begin > LONGEST.toNanos()) {
+      close();
+    }
+  }
+
   /** Looks which steps have been taken since the last look. */
-  public void look() throws IOException {
-    for (Map.Entry<String, Step> each : List.copyOf(open.entrySet())) {
-      if (each.getValue().isTaken()) {
-        open.remove(each.getKey());
-        taken.put(each.getKey(), Duration.ofNanos(nanos.getAsLong() - begin));
+  void look() {
+    for (Map.Entry<String, Step> each : stillOpen().entrySet()) {
+      if (isTaken(each.getValue())) {
+        take(each.getKey());
       }
     }
+  }
+
+  private synchronized Map<String, Step> stillOpen() {
+    return new LinkedHashMap<>(open);
+  }
+
+  private static boolean isTaken(Step step) {
+    try {
+      return step.isTaken();
+    } catch (IOException e) {
+      return false; // whoever knows does not answer yet, and is asked again
+    }
+  }
+
+  private synchronized void take(String step) {
+    open.remove(step);
+    taken.put(step, Duration.ofNanos(nanos.getAsLong() - begin));
+  }
+
+  /** Nobody looks any more. */
+  @Override
+  public void close() {
+    looks.shutdownNow();
   }
 
   /**
    * The steps in the order they were seen, then those that were not: {@code noticed 0.1 s, ...}.
    */
   @Override
-  public String toString() {
+  public synchronized String toString() {
     StringJoiner all = new StringJoiner(", ");
     taken.forEach(
         (name, after) ->

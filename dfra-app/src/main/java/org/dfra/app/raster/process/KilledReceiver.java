@@ -65,15 +65,14 @@ final class KilledReceiver implements Trouble<FieldRobot> {
     killed = now.clock().instant();
     steps =
         RecoverySteps.of(victim.robot(), receiver, process)
-            .step("subscription interrupted", () -> victim.hearing().isInterrupted(receiver));
+            .step("subscription interrupted", () -> victim.hearing().isInterrupted(receiver))
+            .watch();
     victim.robot().host().kill(process);
     now.mark(killed, victim, "%s is killed (process %d)", receiver, process);
   }
 
   private void seeWhetherItIsBack(
       Scene<FieldRobot> now, Searching<FieldRobot> victim, Instant since) throws Exception {
-    RecoverySteps recovery = Objects.requireNonNull(steps);
-    recovery.look();
     List<Position> all = victim.hearing().positions();
     Position before = Objects.requireNonNull(last);
     @Nullable Position newest = last(all);
@@ -101,10 +100,10 @@ final class KilledReceiver implements Trouble<FieldRobot> {
         Scene.seconds(before.measured(), back.measured()),
         others,
         victim.hearing().lost(receiver) - lost);
+    RecoverySteps recovery = Objects.requireNonNull(steps);
+    recovery.close();
     double took = Scene.seconds(since, back.measured()) / now.speed();
-    if (took
-        > Double.parseDouble(
-            System.getProperty("x.most", "5"))) { // a user sees which part took long
+    if (took > MOST) { // so a user sees which part took long
       now.mark(now.clock().instant(), victim, "%s took %.1f s: %s", receiver, took, recovery);
     }
     now.figure(receiver + " killed to heard again", took, MOST);

@@ -1,12 +1,16 @@
 package org.dfra.app.demo.stage;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class RecoveryStepsTest {
 
@@ -16,7 +20,14 @@ class RecoveryStepsTest {
       new RecoverySteps(now::get)
           .step("noticed", () -> taken.contains("noticed"))
           .step("new process", () -> taken.contains("new process"))
-          .step("heard", () -> taken.contains("heard"));
+          .step("heard", this::isHeard);
+
+  private boolean isHeard() throws IOException {
+    if (taken.contains("no answer")) {
+      throw new IOException("whoever knows is too busy");
+    }
+    return taken.contains("heard");
+  }
 
   private void after(long millis, String... more) throws Exception {
     now.addAndGet(Duration.ofMillis(millis).toNanos());
@@ -33,7 +44,25 @@ class RecoveryStepsTest {
     after(1000);
     assertThat(steps).hasToString("new process 0.3 s, noticed 1.0 s, heard not seen");
     taken.remove("noticed");
-    after(1500, "heard");
+    after(500, "heard", "no answer");
+    assertThat(steps).as("where nobody answers").hasToString("new process 0.3 s, noticed 1.0 s, heard not seen");
+    taken.remove("no answer");
+    after(1000);
     assertThat(steps).hasToString("new process 0.3 s, noticed 1.0 s, heard 3.5 s");
+  }
+
+  @Test
+  @Timeout(60)
+  void looksByItselfUntilAllIsTaken() throws Exception {
+    CountDownLatch looked = new CountDownLatch(3);
+    try (RecoverySteps watched =
+        new RecoverySteps().step("third look", () -> {
+          looked.countDown();
+          return looked.getCount() == 0;
+        }).step("last", () -> looked.getCount() == 0).watch()) {
+      looked.await();
+      await().until(() -> watched.toString().endsWith(" s") );
+      assertThat(watched.toString()).matches("third look [0-9.]+ s, last [0-9.]+ s");
+    }
   }
 }
