@@ -41,7 +41,7 @@ class TestVerbTest {
       <?xml version="1.0" encoding="UTF-8"?>
       <testsuite xmlns:xsi="x" version="3.0.2" name="org.dfra.%1$s" time="%2$s" tests="2" errors="0" skipped="0" failures="%3$d">
         <testcase name="good" classname="org.dfra.%1$s" time="0.1"/>
-        <testcase name="bad" classname="org.dfra.%1$s" time="0.1">
+        <testcase name="bad" classname="org.dfra.%1$s" time="%2$s">
           %4$s
         </testcase>
       </testsuite>
@@ -147,7 +147,11 @@ class TestVerbTest {
   void runsTestsBesideEachOtherAndMeasuresAloneOnlyInAFullRun() throws Exception {
     String boot = "-Xbootclasspath/a:" + house.toRealPath() + "/dfra-activation/target/classes";
     assertThat(given("maven"))
-        .contains("-T", "-Ddfra.test.forks.across=4", "-Ddfra.test.alone=%regex[none]", "-Ddfra.test.paired=%regex[none]")
+        .contains(
+            "-T",
+            "-Ddfra.test.forks.across=4",
+            "-Ddfra.test.alone=%regex[none]",
+            "-Ddfra.test.paired=%regex[none]")
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
@@ -218,10 +222,16 @@ class TestVerbTest {
     }
     assertThat(test("maven")).as(said).isZero();
     String slowest =
-        "The slowest tests, in seconds:\n"
+        "The slowest test classes, in seconds:\n"
             + "  1002.3  org.dfra.SecondTest\n"
             + "     3.9  org.dfra.Third9Test\n";
-    assertThat(said).contains(slowest).doesNotContain("3.0  org", "1.5  org");
+    assertThat(said)
+        .contains(slowest)
+        .contains(
+            "The slowest tests, in seconds:\n"
+                + "  1002.3  org.dfra.SecondTest.bad\n"
+                + "     3.9  org.dfra.Third9Test.bad\n")
+        .doesNotContain("3.0  org", "1.5  org");
     assertThat(Files.readString(house.resolve("target/test.log"))).contains(slowest);
   }
 

@@ -33,9 +33,12 @@ public record Timing(Duration took, Duration stalled, double load) {
   /** From so many runnable threads per processor on a computer counts as overloaded. */
   private static final double OVERLOAD = 2;
 
-  /** What it would have taken on a computer that did not stall; stalls that are short do not count. */
+  /**
+   * What it would have taken on a computer that did not stall; stalls that are short do not count.
+   */
   private Duration withoutStalls(Duration bound) {
-    boolean counts = stalled.compareTo(STALL) >= 0 || stalled.multipliedBy(SHARE).compareTo(bound) >= 0;
+    boolean counts =
+        stalled.compareTo(STALL) >= 0 || stalled.multipliedBy(SHARE).compareTo(bound) >= 0;
     return counts ? took.minus(stalled) : took;
   }
 

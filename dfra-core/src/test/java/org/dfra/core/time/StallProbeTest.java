@@ -120,7 +120,9 @@ class StallProbeTest {
     return out.toString();
   }
 
-  /** Else a bound of some tenths of a second would fail by a stall that is seen, and not counted. */
+  /**
+   * Else a bound of some tenths of a second would fail by a stall that is seen, and not counted.
+   */
   @Test
   void aStallOfATenthOfTheBoundCounts() {
     Duration bound = Duration.ofMillis(350);

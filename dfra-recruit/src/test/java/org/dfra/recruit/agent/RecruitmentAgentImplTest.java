@@ -144,7 +144,8 @@ class RecruitmentAgentImplTest {
 
   /** As for want of file descriptors: there is nothing wrong with the file. */
   @Test
-  void itAsksOnlyForARestartWhereWhatItKeptCannotBeReadNow(@TempDir Path folder) throws IOException {
+  void itAsksOnlyForARestartWhereWhatItKeptCannotBeReadNow(@TempDir Path folder)
+      throws IOException {
     Path file = Files.createDirectory(folder.resolve("recruitment")); // so reading fails
     RecruitmentAgentImpl uav = agent("uav", StateStore.in(folder), Map.of());
     time.advance(Duration.ofSeconds(1));

@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.UUID;
@@ -11,6 +12,8 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleIdentity;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A robot whose registrar and modules all live in this virtual machine: the same servers and
@@ -29,15 +32,32 @@ public final class EmbeddedRobot implements AutoCloseable {
 
   private final RobotDescription robot;
   private final String host;
+  private final @Nullable Path others;
   private final ServedModules modules;
   private boolean started; // guarded by this
 
   /**
+   * A whole robot.
+   *
    * @throws ConfigurationException if the robot has no registrar of its own, or its host is none of
    *     this machine
    */
   public EmbeddedRobot(RobotDescription robot) {
+    this(robot, null);
+  }
+
+  /**
+   * A part of a robot whose other modules phoenix has.
+   *
+   * @param others the folder of phoenix's state. The identities of these modules are kept there,
+   *     without which the others would take them for those of another robot of that name. Null
+   *     where there are no others.
+   * @throws ConfigurationException if the robot has no registrar of its own, or its host is none of
+   *     this machine
+   */
+  public EmbeddedRobot(RobotDescription robot, @Nullable Path others) {
     this.robot = robot;
+    this.others = others;
     this.host = HostAddress.resolve(robot.host());
     RegistrarDescription described =
         robot
@@ -68,7 +88,7 @@ public final class EmbeddedRobot implements AutoCloseable {
    *
    * @throws ConfigurationException if a module cannot be made or served; what was started before it
    *     runs until it is closed
-   * @throws IOException if the registrar cannot be started
+   * @throws IOException if the registrar cannot be started, or an identity cannot be kept
    */
   public synchronized void start() throws IOException {
     if (started) {
@@ -78,8 +98,16 @@ public final class EmbeddedRobot implements AutoCloseable {
     LookupPlaces places = LookupPlaces.of(robot, host, registrar().start().port());
     for (ModuleDescription each : robot.modules()) {
       modules.serve(
-          new ModuleActivation(each, UUID.randomUUID(), host, places.groups(), places.locators()));
+          new ModuleActivation(each, identity(each), host, places.groups(), places.locators()));
     }
+  }
+
+  private UUID identity(ModuleDescription module) throws IOException {
+    ModuleIdentity identity = ModuleIdentity.fresh();
+    if (others != null) {
+      identity.keep(RobotBootstrap.folder(others, robot.name(), module.name()));
+    }
+    return identity.id();
   }
 
   /** Name of the robot. */

@@ -75,7 +75,7 @@ final class Team implements AutoCloseable {
   /** Starts the bodies, and then phoenix and the agents. */
   void start() throws Exception {
     for (RobotDescription each : bodies.values()) {
-      EmbeddedRobot robot = new EmbeddedRobot(each);
+      EmbeddedRobot robot = new EmbeddedRobot(each, host.phoenix().state());
       running.put(each.name(), robot); // what of it was started ends with it
       robot.start();
     }

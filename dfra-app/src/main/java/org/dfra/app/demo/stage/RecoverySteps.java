@@ -36,7 +36,8 @@ public final class RecoverySteps implements AutoCloseable {
   private final Map<String, Duration> taken = new LinkedHashMap<>(); // guarded by this
   private final LongSupplier nanos;
   private final long begin;
-  private final ScheduledExecutorService looks = new ScheduledThreadPoolExecutor(1, RecoverySteps::thread);
+  private final ScheduledExecutorService looks =
+      new ScheduledThreadPoolExecutor(1, RecoverySteps::thread);
 
   private static Thread thread(Runnable looks) {
     Thread thread = new Thread(looks, "recovery-steps");

@@ -45,7 +45,9 @@ class RecoveryStepsTest {
     assertThat(steps).hasToString("new process 0.3 s, noticed 1.0 s, heard not seen");
     taken.remove("noticed");
     after(500, "heard", "no answer");
-    assertThat(steps).as("where nobody answers").hasToString("new process 0.3 s, noticed 1.0 s, heard not seen");
+    assertThat(steps)
+        .as("where nobody answers")
+        .hasToString("new process 0.3 s, noticed 1.0 s, heard not seen");
     taken.remove("no answer");
     after(1000);
     assertThat(steps).hasToString("new process 0.3 s, noticed 1.0 s, heard 3.5 s");
@@ -56,12 +58,17 @@ class RecoveryStepsTest {
   void looksByItselfUntilAllIsTaken() throws Exception {
     CountDownLatch looked = new CountDownLatch(3);
     try (RecoverySteps watched =
-        new RecoverySteps().step("third look", () -> {
-          looked.countDown();
-          return looked.getCount() == 0;
-        }).step("last", () -> looked.getCount() == 0).watch()) {
+        new RecoverySteps()
+            .step(
+                "third look",
+                () -> {
+                  looked.countDown();
+                  return looked.getCount() == 0;
+                })
+            .step("last", () -> looked.getCount() == 0)
+            .watch()) {
       looked.await();
-      await().until(() -> watched.toString().endsWith(" s") );
+      await().until(() -> watched.toString().endsWith(" s"));
       assertThat(watched.toString()).matches("third look [0-9.]+ s, last [0-9.]+ s");
     }
   }
