@@ -1,15 +1,10 @@
 package org.dfra.recruit.agent;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -20,6 +15,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.StopAttributes;
+import org.dfra.recruit.agent.HoldMemory.Reason;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -43,20 +39,10 @@ import org.slf4j.Logger;
  */
 final class Hold {
 
-  private static final String DOCUMENT = "hold";
   private static final String NEVER = "never";
 
   /** No stop of it was dealt with yet. */
   private static final String STOPPED = "stopped";
-
-  /** Before what held it last, in the document. */
-  private static final String LAST = "=";
-
-  /** In the document it stands where others have a module's path. */
-  private static final String TRIP = "-";
-
-  /** Before a behaviour or an effector that the robot has, in the document. */
-  private static final String HAS = "+";
 
   /** For how long a new process looks for the modules before it says that one is missing. */
   static final Duration SETTLING = Duration.ofSeconds(10);
@@ -64,25 +50,7 @@ final class Hold {
   private final ModuleContext context;
   private final Senses senses;
   private final Logger log;
-
-  /** Since when the last stop was that a person has dealt with, by the path of the module. */
-  private final Map<String, String> ended = new TreeMap<>(); // guarded by this
-
-  /**
-   * What holds it.
-   *
-   * @param path of the module
-   * @param why as a clause
-   */
-  private record Reason(String path, String why) {}
-
-  /** Guarded by this; what held it last, until that is found and says that it does not any more. */
-  private @Nullable Reason last;
-
-  private @Nullable String unknown; // guarded by this; what nobody knows of the last trip
-
-  /** The behaviours and effectors that the robot is known to have, by path; guarded by this. */
-  private final Set<String> modules = new TreeSet<>();
+  private final HoldMemory memory; // guarded by this, with all that is in it
 
   /** Guarded by this; something is to go on, and nobody knows which modules the robot has. */
   private boolean isUnlisted;
@@ -96,6 +64,7 @@ final class Hold {
     this.context = context;
     this.senses = senses;
     this.log = log;
+    this.memory = new HoldMemory(context, log);
   }
 
   /**
@@ -105,57 +74,8 @@ final class Hold {
    */
   synchronized void recall(boolean isHeir) {
     startNanos = context.robotTime().nanos();
-    recall();
-    isUnlisted = isHeir && modules.isEmpty();
-  }
-
-  /** Holds the lock. */
-  private void recall() {
-    try {
-      String text =
-          new String(context.state().read(DOCUMENT).orElse(new byte[0]), StandardCharsets.UTF_8);
-      text.lines()
-          .map(line -> line.split(" ", 2))
-          .filter(line -> line.length == 2)
-          .forEach(this::take);
-    } catch (IOException e) {
-      unknown = "it cannot read whether somebody stopped it: " + e.getMessage();
-      log.warn("{}: {}", context.path(), unknown);
-    }
-  }
-
-  /** Holds the lock. */
-  private void take(String[] line) {
-    if (line[0].equals(TRIP)) {
-      unknown = line[1];
-    } else if (line[0].equals(LAST)) {
-      String[] reason = line[1].split(" ", 2);
-      last = new Reason(reason[0], reason[reason.length - 1]);
-    } else if (line[0].equals(HAS)) {
-      modules.add(line[1]);
-    } else {
-      ended.put(line[0], line[1]);
-    }
-  }
-
-  /** Holds the lock. */
-  private void keep() {
-    StringBuilder text = new StringBuilder();
-    ended.forEach((path, since) -> text.append(path).append(' ').append(since).append('\n'));
-    if (unknown != null) {
-      text.append(TRIP).append(' ').append(unknown.replace('\n', ' ')).append('\n');
-    }
-    @Nullable Reason reason = last;
-    if (reason != null) {
-      text.append(LAST + " " + reason.path() + " " + reason.why().replace('\n', ' ') + "\n");
-    }
-    modules.forEach(path -> text.append(HAS).append(' ').append(path).append('\n'));
-    try {
-      context.state().write(DOCUMENT, text.toString().getBytes(StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      log.warn(
-          "{}: its next process would not know how it is held: {}", context.path(), e.toString());
-    }
+    memory.recall();
+    isUnlisted = isHeir && memory.modules().isEmpty();
   }
 
   /**
@@ -164,22 +84,23 @@ final class Hold {
    * does.
    */
   synchronized void look() {
-    boolean isNews = modules.addAll(listed());
+    boolean isNews = memory.add(listed());
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       String known = stop.latched() ? STOPPED : text(stop.since());
-      isNews |= ended.putIfAbsent(mover.path(), known) == null;
+      isNews |= memory.noteFirst(mover.path(), known);
     }
     Optional<Reason> now = live();
+    @Nullable Reason last = memory.last();
     if (now.isPresent() && !now.get().equals(last)) {
-      last = now.get();
+      memory.last(now.get());
       isNews = true;
     } else if (now.isEmpty() && last != null && isFound(last.path())) {
-      last = null;
+      memory.last(null);
       isNews = true;
     }
     if (isNews) {
-      keep();
+      memory.keep();
     }
   }
 
@@ -211,7 +132,9 @@ final class Hold {
 
   /** Which stop holds it, as a clause; nothing where none does, as far as is known. */
   synchronized Optional<String> stop() {
-    return Optional.ofNullable(unknown).or(() -> live().map(Reason::why)).or(this::notFoundAgain);
+    return Optional.ofNullable(memory.unknown())
+        .or(() -> live().map(Reason::why))
+        .or(this::notFoundAgain);
   }
 
   /**
@@ -265,14 +188,14 @@ final class Hold {
 
   /** Holds the lock. */
   private Set<String> missing() {
-    Set<String> missing = new TreeSet<>(modules);
+    Set<String> missing = new TreeSet<>(memory.modules());
     missing.removeAll(listed());
     return missing;
   }
 
   /** Holds the lock. What held it is not found now, as at first in a new process. */
   private Optional<String> notFoundAgain() {
-    @Nullable Reason before = last;
+    @Nullable Reason before = memory.last();
     return before == null || isFound(before.path()) ? Optional.empty() : Optional.of(before.why());
   }
 
@@ -295,7 +218,8 @@ final class Hold {
         return Optional.of(new Reason(path, path + " is stopped for an emergency"));
       }
       String since = text(stop.since());
-      if (!ended.getOrDefault(path, since).equals(since)) {
+      @Nullable String before = memory.ended(path);
+      if (before != null && !before.equals(since)) {
         return Optional.of(
             new Reason(path, path + " was stopped for an emergency, and released at " + since));
       }
@@ -306,7 +230,7 @@ final class Hold {
   /** Holds the lock. */
   private Optional<Reason> byBehavior(ModuleListing<?> behavior, @Nullable Instant since) {
     String path = behavior.path();
-    return since == null || since.toString().equals(ended.get(path))
+    return since == null || since.toString().equals(memory.ended(path))
         ? Optional.empty()
         : Optional.of(new Reason(path, "somebody or something stopped " + path + " at " + since));
   }
@@ -334,7 +258,7 @@ final class Hold {
       }
     }
     synchronized (this) {
-      return Optional.ofNullable(unknown)
+      return Optional.ofNullable(memory.unknown())
           .or(() -> byEffector().map(Reason::why))
           .or(this::notFoundAgain);
     }
@@ -356,7 +280,7 @@ final class Hold {
     }
     synchronized (this) {
       boolean isTime = !isLetGo && (!isUnlisted || isOverdue());
-      isSettled |= isTime && asked.containsAll(modules);
+      isSettled |= isTime && asked.containsAll(memory.modules());
       silent = null;
       if (!isSettled) {
         throw new NotReadyException(context.path(), Readiness.INITIALIZING, unsettled());
@@ -387,13 +311,13 @@ final class Hold {
 
   /** The last stop of an effector that a person has dealt with, or it first saw; null for none. */
   synchronized @Nullable String lastStop(String path) {
-    return ended.get(path);
+    return memory.ended(path);
   }
 
   /** Nobody knows whether somebody stopped its trip; it is held until a person lets it go on. */
   synchronized void unknown(String why) {
-    unknown = why;
-    keep();
+    memory.unknown(why);
+    memory.keep();
   }
 
   /**
@@ -413,9 +337,9 @@ final class Hold {
    */
   synchronized void end() {
     isLetGo |= !isSettled;
-    modules.retainAll(listed());
+    memory.retain(listed());
     boolean unused = end(Instant.MAX);
-    keep();
+    memory.keep();
     log.info("{}: a person lets it go on; now: {}", context.path(), why().orElse("not held"));
   }
 
@@ -425,27 +349,24 @@ final class Hold {
   }
 
   private synchronized boolean end(Instant until) {
-    Map<String, String> before = new TreeMap<>(ended);
-    @Nullable String unknownBefore = unknown;
-    @Nullable Reason lastBefore = last;
-    unknown = null;
-    last = null;
+    String before = memory.text();
+    memory.unknown(null);
+    memory.last(null);
     for (ModuleListing<?> mover : senses.movers()) {
       StopAttributes stop = stop(mover);
       if (!stop.latched() && !isAfter(stop.since(), until)) {
-        ended.put(mover.path(), text(stop.since()));
+        memory.end(mover.path(), text(stop.since()));
       }
     }
     for (ModuleListing<?> each : senses.behaviors()) {
       @Nullable Instant since = senses.heldSince(each);
       if (since != null && !isAfter(since, until)) {
-        ended.put(each.path(), since.toString());
+        memory.end(each.path(), since.toString());
       }
     }
-    boolean isNews =
-        !before.equals(ended) || !Objects.equals(unknownBefore, unknown) || lastBefore != null;
+    boolean isNews = !before.equals(memory.text());
     if (isNews) {
-      keep();
+      memory.keep();
     }
     return isNews;
   }

@@ -81,7 +81,7 @@ final class Group {
           awaited = current.adopted() ? -1 : current.number();
         }
         if (nanos <= 0) {
-          throw tooLong();
+          throw supervision.tooLong();
         }
         nanos = changed.awaitNanos(nanos);
       }
@@ -91,16 +91,6 @@ final class Group {
     } finally {
       lock.unlock();
     }
-  }
-
-  private ActivationException tooLong() {
-    return new ActivationException(
-        "group "
-            + name
-            + " was not ready within "
-            + daemon.configuration().groupTimeout().toMillis()
-            + " ms; see "
-            + daemon.output(name));
   }
 
   /** Starts a process. Gives up the lock while it waits for its turn and forks. */
@@ -206,26 +196,13 @@ final class Group {
     }
   }
 
-  /**
-   * Where this cannot be recorded, nothing is lost: a daemon that is started later takes the
-   * process for an active one, asks it for an object, and hears the same.
-   */
   private void leave() {
     if (current.state() == State.LEAVING) {
       return;
     }
     current.leaves();
     changed.signalAll();
-    LOG.info("Group {} has nothing left to do; its process ends.", name);
-    @Nullable ProcessIdentity process = current.process();
-    if (process != null) {
-      daemon.endLater(process);
-    }
-    try {
-      daemon.journal().commit(new Change.Left(id));
-    } catch (ActivationException e) {
-      LOG.warn("That group {} ends is not recorded: {}", name, e.getMessage());
-    }
+    supervision.leaves(current.process());
   }
 
   private void endTurn() {

@@ -5,12 +5,14 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * What the end of a group's process leads to: nothing where it was to end, else a start after a
- * delay, or none for a while where it crashed too often. Confined to the group's lock.
+ * delay, or none for a while where it crashed too often. It also explains to waiting threads why
+ * there is no process for them. Confined to the group's lock.
  */
 final class Supervision {
 
@@ -31,6 +33,25 @@ final class Supervision {
   /** The group was unregistered: no end of its process is a crash from now on. */
   void forget() {
     forgotten = true;
+  }
+
+  /**
+   * The group's process has announced its end: it is recorded, and forced later if necessary. Where
+   * it cannot be recorded, nothing is lost: a daemon that is started later takes the process for an
+   * active one, asks it for an object, and gets the same announcement.
+   *
+   * @param process null where it is not launched yet
+   */
+  void leaves(@Nullable ProcessIdentity process) {
+    LOG.info("Group {} has nothing left to do; its process ends.", group.name);
+    if (process != null) {
+      daemon.endLater(process);
+    }
+    try {
+      daemon.journal().commit(new Change.Left(group.id));
+    } catch (ActivationException e) {
+      LOG.warn("That group {} ends is not recorded: {}", group.name, e.getMessage());
+    }
   }
 
   /**
@@ -66,6 +87,17 @@ final class Supervision {
           heldOffUntil().map(Instant::toString).orElse("now"),
           daemon.output(group.name));
     }
+  }
+
+  /** That the group's process was not ready in time, for whoever waited for it. */
+  ActivationException tooLong() {
+    return new ActivationException(
+        "group "
+            + group.name
+            + " was not ready within "
+            + daemon.configuration().groupTimeout().toMillis()
+            + " ms; see "
+            + daemon.output(group.name));
   }
 
   /** How the group's process ended the last time, for whoever waited for it. */
