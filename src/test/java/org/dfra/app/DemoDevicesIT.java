@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
 /** {@code ./dfra demo devices}. */
 class DemoDevicesIT extends DemoPlay {
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes a minute")
   void theDevicesTellTheirStoryAndLeaveNothingBehindButAReport() throws Exception {
     play(
         "devices",

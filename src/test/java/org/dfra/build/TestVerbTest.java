@@ -331,7 +331,7 @@ class TestVerbTest {
   void repeatsNothingThatFailedAndNothingThatMissedNoBound() throws Exception {
     leaveReport("dfra-a", "FirstTest", "1.5", false);
     leaveMiss("dfra-b/target/surefire-reports", "SecondTest", "\n    " + BAD, GOOD);
-    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(test("maven", "--full")).as(said).isEqualTo(1);
     assertThat(house.resolve("again")).doesNotExist();
     assertThat(said)
         .contains("missed during an overload: org.dfra.SecondTest.bad: it took 3 s")
@@ -340,11 +340,21 @@ class TestVerbTest {
         .endsWith("\n3 passed, 1 failed, 0 skipped\n");
   }
 
+  @Test
+  void repeatsNothingEverydayAndSaysWhatWasMissed() throws Exception {
+    leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", BAD);
+    assertThat(test("maven")).as(said).isZero();
+    assertThat(house.resolve("again")).doesNotExist();
+    assertThat(said)
+        .contains("missed during an overload: org.dfra.FirstTest.bad: it took 3 s")
+        .endsWith("\n2 passed, 0 failed, 0 skipped\n");
+  }
+
   /** Say because the second run ends at once: then nobody knows whether the bound is kept. */
   @Test
   void failsWhereWhatMissedABoundCannotBeRepeated() throws Exception {
     leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", "");
-    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(test("maven", "--full")).as(said).isEqualTo(1);
     assertThat(said)
         .contains("missed during an overload: org.dfra.FirstTest.bad: it took 3 s")
         .contains("could not be repeated")
@@ -365,7 +375,7 @@ class TestVerbTest {
             + "case \"$*\" in *dfra.repeats=true*) sed 's/MISSED//; s/FirstTest/OtherTest/'"
             + " <%1$s/TEST-org.dfra.FirstTest.xml >%1$s/TEST-org.dfra.OtherTest.xml ;; esac\n"
                 .formatted(reports));
-    assertThat(test("gradle")).as(said).isZero();
+    assertThat(test("gradle", "--full")).as(said).isZero();
     assertThat(said).contains("again, alone").endsWith("\n4 passed, 0 failed, 0 skipped\n");
   }
 }

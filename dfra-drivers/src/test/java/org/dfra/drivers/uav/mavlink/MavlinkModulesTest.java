@@ -20,6 +20,7 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.drivers.link.LinkKeeper;
@@ -325,9 +326,8 @@ class MavlinkModulesTest {
       awaitReadiness(gps, Readiness.READY);
       for (int i = 0; i < 3; i++) {
         ticker.step(Duration.ofMillis(1900));
-        long frames = Long.parseLong(parameter(gps, "frames"));
         say(HEARTBEAT, summed(blind, 24));
-        await().until(() -> Long.parseLong(parameter(gps, "frames")) == frames + 2);
+        awaitFrames(gps, 4 + 2 * i);
       }
       awaitReadiness(gps, Readiness.INITIALIZING);
       assertThatThrownBy(gps::fix)
@@ -346,9 +346,9 @@ class MavlinkModulesTest {
       await().until(() -> battery.battery().current() == -1.5);
       assertThat(battery.battery().voltage()).isEqualTo(15.8);
       assertThat(battery.battery().remaining()).isEqualTo(0.63);
-      long frames = Long.parseLong(parameter(battery, "frames"));
+      awaitFrames(battery, 3); // a frame is counted after it is shown
       say(SUPPLY);
-      await().until(() -> Long.parseLong(parameter(battery, "frames")) == frames + 1);
+      awaitFrames(battery, 4);
       assertThat(battery.battery().current()).isEqualTo(-1.5);
     }
   }
@@ -402,6 +402,10 @@ class MavlinkModulesTest {
   }
 
   /** Says it on the link that is open now, or will be. */
+  private static void awaitFrames(ModuleImpl module, int all) {
+    await().until(() -> parameter(module, "frames").equals(Integer.toString(all)));
+  }
+
   private void say(byte[]... frames) {
     await().until(() -> !links.isEmpty());
     for (byte[] frame : frames) {
