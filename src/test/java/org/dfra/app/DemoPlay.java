@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.time.StallProbe;
@@ -31,6 +32,12 @@ abstract class DemoPlay {
   private static final int TABLE = 80;
 
   private static final boolean IS_STRICT = Boolean.getBoolean("dfra.full");
+
+  /** How a report begins. */
+  private static final Pattern HEAD =
+      Pattern.compile(
+          "(?s).*</h1>\\s*<p class=\"verdict (met|missed)\">[^<]+</p>"
+              + "\\s*<p>\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d\\sUTC</p>\\s*<table>.*<th>Result</th>.*");
 
   /** How much of a story is shown before the place at which a sentence is missing. */
   private static final int CONTEXT = 300;
@@ -69,6 +76,10 @@ abstract class DemoPlay {
       }
       if (IS_STRICT) {
         DemoTimes.of(out).require(run);
+      }
+      Path html = report().resolve("report.html");
+      if (Files.exists(html)) {
+        assertThat(Files.readString(html)).as("verdict, date and targets first").matches(HEAD);
       }
       return inOneLine(out);
     }
