@@ -36,8 +36,9 @@ abstract class DemoPlay {
   /** How a report begins. */
   private static final Pattern HEAD =
       Pattern.compile(
-          "(?s).*</h1>\\s*<p class=\"verdict (met|missed)\">[^<]+</p>"
-              + "\\s*<p>\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d\\sUTC</p>\\s*<table>.*<th>Result</th>.*");
+          "</h1>\\s*<p class=\"verdict (met|missed)\">[^<]+</p>"
+              + "\\s*<p>\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d\\sUTC</p>"
+              + "\\s*<table>\\s*<thead><tr><th>Figure</th>");
 
   /** How much of a story is shown before the place at which a sentence is missing. */
   private static final int CONTEXT = 300;
@@ -79,7 +80,9 @@ abstract class DemoPlay {
       }
       Path html = report().resolve("report.html");
       if (Files.exists(html)) {
-        assertThat(Files.readString(html)).as("verdict, date and targets first").matches(HEAD);
+        assertThat(HEAD.matcher(Files.readString(html)).find())
+            .as("verdict, date and targets stand first in %s", html)
+            .isTrue();
       }
       return inOneLine(out);
     }
