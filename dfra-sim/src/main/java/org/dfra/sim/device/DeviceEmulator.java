@@ -21,11 +21,11 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It has one client at a time. A new one takes the place of an old one that has sent nothing for
  * 3 s, so that a computer that fell off the network finds its device again; beside a client that
- * sends, a new one is disconnected at once, so that a stranger cannot cut off the driver. Bytes that come out while there is no client, or
- * while the client does not read, are lost, as on a serial line; a device that {@linkplain
- * SerialDevice#keepsBytes keeps} them is asked for more when the client has taken what came before.
- * What comes from the client is paced as by the device's line too. While the {@link #cable} is
- * pulled, no connection lasts.
+ * sends, a new one is disconnected at once, so that a stranger cannot cut off the driver. Bytes
+ * that come out while there is no client, or while the client does not read, are lost, as on a
+ * serial line; a device that {@linkplain SerialDevice#keepsBytes keeps} them is asked for more when
+ * the client has taken what came before. What comes from the client is paced as by the device's
+ * line too. While the {@link #cable} is pulled, no connection lasts.
  *
  * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
  * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
