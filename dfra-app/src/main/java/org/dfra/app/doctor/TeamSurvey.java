@@ -122,10 +122,14 @@ final class TeamSurvey
   @Override
   public List<Measured> measure() throws InterruptedException {
     directory.awaitFirstLook(patience);
+    List<ModuleListing<Module>> all = directory.find(ModuleQuery.of(Module.class));
+    Map<String, List<String>> namesakes = Namesakes.of(all);
     Map<String, List<Module>> robots = new TreeMap<>();
-    for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
+    for (ModuleListing<Module> each : all) {
       if (!each.stale() && !each.robot().isEmpty()) {
-        robots.computeIfAbsent(each.robot(), robot -> new ArrayList<>()).add(each.module());
+        String robot =
+            namesakes.containsKey(each.robot()) ? each.robot() + "@" + each.host() : each.robot();
+        robots.computeIfAbsent(robot, name -> new ArrayList<>()).add(each.module());
       }
     }
     Map<String, Future<ClockOffset>> asked = new TreeMap<>();
