@@ -259,8 +259,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   @Test
   void aPersonaIsThatOfTheRobotOnItsRegistrarsHost() throws Exception {
     list("atrv1", "gps", 1); // on the registrar's host
-    list(
-        "gps", List.of(module("atrv1", "gps", "192.0.2.1", Readiness.READY)), Locality.REMOTE);
+    list("gps", List.of(module("atrv1", "gps", "192.0.2.1", Readiness.READY)), Locality.REMOTE);
     PersonaAttributes persona = new PersonaAttributes("atrv1", "scout", List.of(), List.of());
     JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
     admin.addLookupAttributes(Entries.of(List.of(persona)));
@@ -270,8 +269,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
             () ->
                 assertThat(directory.personas())
                     .extracting(Persona::host, each -> each.attributes().isPresent())
-                    .containsExactly(
-                        tuple(EmbeddedReggie.HOST, true), tuple("192.0.2.1", false)));
+                    .containsExactly(tuple(EmbeddedReggie.HOST, true), tuple("192.0.2.1", false)));
   }
 
   @Test

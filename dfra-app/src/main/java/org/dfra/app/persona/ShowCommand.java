@@ -26,7 +26,10 @@ import picocli.CommandLine.Parameters;
 @Command(name = "show", description = "Shows a robot: what it is there for, and what it can do.")
 final class ShowCommand implements Callable<Integer> {
 
-  @Parameters(index = "0", paramLabel = "ROBOT", description = "The robot's name; ROBOT@HOST where several robots have it.")
+  @Parameters(
+      index = "0",
+      paramLabel = "ROBOT",
+      description = "The robot's name; ROBOT@HOST where several robots have it.")
   private String robot = "";
 
   @Mixin

@@ -56,11 +56,10 @@ public final class Namesakes {
   }
 
   /**
-   * A module's robot as a listing shows it, and as it may be named: {@code robot@host} where another
-   * robot of the listing has its name, else its name alone.
+   * A module's robot as a listing shows it, and as it may be named: {@code robot@host} where
+   * another robot of the listing has its name, else its name alone.
    */
-  public static String robot(
-      ModuleListing<?> one, Collection<? extends ModuleListing<?>> listed) {
+  public static String robot(ModuleListing<?> one, Collection<? extends ModuleListing<?>> listed) {
     boolean isAlone =
         one.host().isEmpty()
             || listed.stream()

@@ -27,8 +27,7 @@ class RobotChecksTest {
   @TempDir Path folder;
 
   /** A phoenix that answers, or not. */
-  private record Fake(
-      OptionalLong pid, @Nullable List<GroupStatus> answer, RemoteException failure)
+  private record Fake(OptionalLong pid, @Nullable List<GroupStatus> answer, RemoteException failure)
       implements PhoenixCheck.Daemon {
 
     Fake(OptionalLong pid, @Nullable List<GroupStatus> answer) {

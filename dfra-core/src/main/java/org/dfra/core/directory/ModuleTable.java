@@ -44,8 +44,7 @@ public final class ModuleTable {
    *
    * @param host address or name of the computer it runs on; empty where that is not known
    */
-  record RobotSign(
-      PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
+  record RobotSign(PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
 
   /** A robot among others of its name. */
   private record RobotAt(String name, String host) {}

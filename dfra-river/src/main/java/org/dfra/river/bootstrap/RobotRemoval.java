@@ -63,12 +63,11 @@ public final class RobotRemoval {
   /** Names of the robots that have a group registered with a phoenix, in alphabetical order. */
   public static List<String> robots(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {
-    return of(phoenix, time)
-        .names().values().stream()
-            .map(name -> name.substring(0, name.indexOf('.')))
-            .distinct()
-            .sorted()
-            .toList();
+    return of(phoenix, time).names().values().stream()
+        .map(name -> name.substring(0, name.indexOf('.')))
+        .distinct()
+        .sorted()
+        .toList();
   }
 
   /** The robots' groups, and their names as {@code robot.group}. */

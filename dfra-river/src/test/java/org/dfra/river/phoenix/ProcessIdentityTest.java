@@ -49,8 +49,7 @@ class ProcessIdentityTest {
 
   @Test
   void aProcessIsFoundByItsNumber() throws Exception {
-    assertThat(ProcessIdentity.find(child.pid()))
-        .contains(ProcessIdentity.of(child.toHandle()));
+    assertThat(ProcessIdentity.find(child.pid())).contains(ProcessIdentity.of(child.toHandle()));
     child.destroyForcibly().waitFor();
     assertThat(ProcessIdentity.find(child.pid())).isEmpty();
   }
