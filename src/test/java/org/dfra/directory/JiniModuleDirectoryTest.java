@@ -269,8 +269,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
             () ->
                 assertThat(directory.personas())
                     .extracting(Persona::host, each -> each.attributes().isPresent())
-                    .containsExactly(
-                        tuple(EmbeddedReggie.HOST, true), tuple("192.0.2.1", false)));
+                    .containsExactly(tuple(EmbeddedReggie.HOST, true), tuple("192.0.2.1", false)));
   }
 
   @Test

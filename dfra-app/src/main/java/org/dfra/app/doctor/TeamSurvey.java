@@ -162,7 +162,7 @@ final class TeamSurvey
 
   /** By the first of a robot's modules that tells. */
   private static ClockOffset offset(List<Module> modules) throws Exception {
-    @Nullable RemoteException failure = null;
+    @Nullable Exception failure = null;
     for (Module module : modules) {
       try {
         if (module instanceof Administrable administrable
@@ -170,7 +170,7 @@ final class TeamSurvey
           Callable<Instant> clock = admin::clock;
           return ClockOffset.measure(QUESTIONS, clock, InstantSource.system());
         }
-      } catch (RemoteException e) {
+      } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own
         failure = e;
       }
     }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
-import org.dfra.app.team.Namesakes;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
