@@ -107,10 +107,7 @@ public final class StopCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
     }
-    by =
-        System.getProperty("user.name", "somebody")
-            + " at "
-            + HostAddress.resolve(options.wantedHost());
+    by = requester();
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED, StopRound.TRY, this::say)) {
@@ -118,13 +115,24 @@ public final class StopCommand implements Callable<Integer> {
       List<String> silent = new ArrayList<>();
       try {
         silent.addAll(callListed(round));
-      } catch (IOException e) { // this host's effectors are called all the same
+      } catch (IOException
+          | ConfigurationException e) { // this host's effectors are called all the same
         silent.add("no lookup service can be looked for: " + e.getMessage());
       }
       List<Outcome> outcomes =
           round.outcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
       silent.addAll(robotsWithout(outcomes));
       return report(outcomes, silent);
+    }
+  }
+
+  /** Who asks, as effectors keep it; an address that is set wrongly keeps nobody from stopping. */
+  private String requester() {
+    String user = System.getProperty("user.name", "somebody");
+    try {
+      return StopState.requesterName(user + " at " + HostAddress.resolve(options.wantedHost()));
+    } catch (ConfigurationException e) { // the search for lookup services remarks it
+      return StopState.requesterName(user);
     }
   }
 
@@ -174,7 +182,8 @@ public final class StopCommand implements Callable<Integer> {
 
   /** Calls each as soon as it is found; returns the named lookup services that do not answer. */
   private List<String> callListed(StopRound round) throws IOException, InterruptedException {
-    try (JiniModuleDirectory directory = options.directory();
+    List<String> unasked = new ArrayList<>();
+    try (JiniModuleDirectory directory = options.urgentDirectory(unasked::add);
         Watch unused =
             directory.listen(
                 ModuleQuery.of(Module.class),
@@ -184,16 +193,17 @@ public final class StopCommand implements Callable<Integer> {
                     callListed(round, listing);
                   }
                 })) {
-      List<String> silent = directory.awaitFirstLook(options.patience());
+      List<String> silent = directory.awaitFirstLook(options.urgentPatience());
       directory
           .find(ModuleQuery.of(Module.class))
           .forEach(listing -> callListed(round, listing)); // whom the listener has yet to hear of
       List<String> named = options.namedLocators();
       round.outcomes(); // the directory is needed as long as its proxies are called
-      return silent.stream()
+      silent.stream()
           .filter(each -> named.contains(each.replaceAll("/$", "")))
           .map(each -> "no lookup service answers at " + each + "; what it knows of was not called")
-          .toList();
+          .forEach(unasked::add);
+      return unasked;
     }
   }
 
