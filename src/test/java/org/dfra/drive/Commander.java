@@ -3,6 +3,7 @@ package org.dfra.drive;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
@@ -64,7 +65,7 @@ public final class Commander implements AutoCloseable {
   }
 
   /**
-   * As a process of its own.
+   * As a process of its own. It says that it commands, and why it ended.
    *
    * @param args the lookup service's locator, and the lease in milliseconds
    */
@@ -82,6 +83,8 @@ public final class Commander implements AutoCloseable {
           new Commander(drive, Duration.ofMillis(Long.parseLong(args[1])), new Velocity(1, 0))) {
         System.out.println(TalkingProcess.SAID + "commanding");
         commander.driving.get();
+      } catch (ExecutionException e) {
+        System.out.println(TalkingProcess.SAID + "ended: " + e.getCause());
       }
     }
   }

@@ -187,6 +187,37 @@ class DriveIT {
   }
 
   @Test
+  void theWheelsStopInTimeWhenTheirCommanderIsSuspendedAndStayStoppedWhenItIsResumed()
+      throws Exception {
+    long timeouts = drive.drive().silences();
+    try (TalkingProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
+      assertThat(commander.awaitLine()).isEqualTo("commanding");
+      robot.awaitFullSpeed();
+      Instant last;
+      WheeledRobot.signal("STOP", commander.pid());
+      try {
+        wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+        WheeledRobot.patiently()
+            .untilAsserted(
+                () ->
+                    assertThat(drive.drive().silences())
+                        .as("command time-outs of the driver")
+                        .isGreaterThan(timeouts));
+        // Nobody renews its lease.
+        WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+        last = wheels.lastMotion();
+      } finally {
+        WheeledRobot.signal("CONT", commander.pid());
+      }
+      assertThat(commander.awaitLine()) // its next command, or the one that it had sent
+          .startsWith("ended: ")
+          .containsAnyOf("CommandRefusedException", "DeadlineExceededException", "does not answer");
+      assertThat(wheels.lastMotion()).as("the last motion, once it is resumed").isEqualTo(last);
+      assertThat(wheels.standingSince()).as("they stand").isNotNull();
+    }
+  }
+
+  @Test
   void theWheelsStandInTimeWhenAnAdministratorRevokesTheirCommander() throws Exception {
     try (Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
+import static org.awaitility.Awaitility.await;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -13,9 +14,12 @@ import java.io.ObjectOutputStream;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.UUID;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
@@ -27,6 +31,7 @@ import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.flow.sensor.TimeSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Identification;
+import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -38,6 +43,7 @@ import org.dfra.sim.device.M12Settings;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -76,6 +82,22 @@ class FiveClassesTest {
     directory.close();
     server.close();
     receiver.close();
+  }
+
+  /**
+   * The directory learns asynchronously that a module has ended, and would give a test that looks
+   * for a module of the same kind the one that the test before it has closed.
+   */
+  @AfterEach
+  void awaitThatOnlyTheReceiverIsListed() {
+    await("the receiver is the only module listed")
+        .atMost(PATIENCE)
+        .until(
+            () ->
+                directory.find(ModuleQuery.of(Module.class)).stream()
+                    .map(ModuleListing::module)
+                    .toList()
+                    .equals(List.of(found)));
   }
 
   private static ServedModule<GPSServer> gps(String link) {

@@ -1,5 +1,6 @@
 package org.dfra.behaviors;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import org.dfra.time.Scheduler;
@@ -9,6 +10,7 @@ final class MortalTime implements InstantSource, Scheduler {
 
   private final SteppedTime time;
   private boolean isDead;
+  private Duration ahead = Duration.ZERO;
 
   MortalTime(SteppedTime time) {
     this.time = time;
@@ -19,9 +21,14 @@ final class MortalTime implements InstantSource, Scheduler {
     isDead = true;
   }
 
+  /** Has its computer's clock be so far ahead of the others; no span changes by that. */
+  void setAhead(Duration span) {
+    ahead = span;
+  }
+
   @Override
   public Instant instant() {
-    return time.instant();
+    return time.instant().plus(ahead);
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behaviors.motor.FuzzyDriveImpl;
 import org.dfra.behaviors.perceptual.heading.HeadingErrorImpl;
@@ -92,6 +93,11 @@ public final class ScriptedRobot implements AutoCloseable {
     MortalTime own = new MortalTime(time);
     times.put(name, own);
     return new ModuleContext(NAME, name, parameters, own, state).among(directory);
+  }
+
+  /** Has the clock of a module's computer be so far ahead of the others'. */
+  public void setAhead(String module, Duration span) {
+    Objects.requireNonNull(times.get(module), module).setAhead(span);
   }
 
   /** Starts a module and lists it. */

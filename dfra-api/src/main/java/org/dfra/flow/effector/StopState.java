@@ -1,27 +1,44 @@
 package org.dfra.flow.effector;
 
 import java.io.Serializable;
+import java.time.Duration;
 import java.time.Instant;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether an effector is stopped for an emergency, see {@link Effector#emergencyStop}.
+ * Whether an effector is stopped for an emergency, see {@link Effector#emergencyStop}. Two are equal
+ * where all but their ages are.
  *
  * @param latched whether it is: then it obeys nobody until it is released
  * @param by who stopped it, or released it last, for people; null where nobody ever did, or nobody
  *     knows any more
- * @param since when that was, by the effector's clock, UTC, whole milliseconds; null likewise
+ * @param since when that was, by the effector's clock, UTC, whole milliseconds; null likewise. For
+ *     people, and to distinguish one stop from another: computers' clocks differ and are set.
  * @param resting whether its driver has been told to come to rest; false only while it is latched
  *     and the driver is held up, or where the driver failed
  * @param fault what is wrong with it, a clause or two for people; null where nothing is
+ * @param age how long ago that was at least, by time that nobody sets, as of this answer; exact
+ *     unless the effector's computer was booted since; null where {@code since} is
  */
 public record StopState(
     boolean latched,
     @Nullable String by,
     @Nullable Instant since,
     boolean resting,
-    @Nullable String fault)
+    @Nullable String fault,
+    @Nullable Duration age)
     implements Serializable {
+
+  /** Of unknown age. */
+  public StopState(
+      boolean latched,
+      @Nullable String by,
+      @Nullable Instant since,
+      boolean resting,
+      @Nullable String fault) {
+    this(latched, by, since, resting, fault, null);
+  }
 
   /** Of an effector that was never stopped. */
   public static final StopState NEVER = new StopState(false, null, null, true, null);
@@ -53,6 +70,21 @@ public record StopState(
       return line.substring(0, line.offsetByCodePoints(0, LONGEST_NAME)) + "…";
     }
     return text.length() < by.length() ? line + "…" : line;
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof StopState that
+        && latched == that.latched
+        && resting == that.resting
+        && Objects.equals(by, that.by)
+        && Objects.equals(since, that.since)
+        && Objects.equals(fault, that.fault);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(latched, by, since, resting, fault);
   }
 
   /** Since when it is stopped and by whom, as far as that is known; for people. */

@@ -24,6 +24,7 @@ record LeaseView(
     boolean local,
     @Nullable String host,
     Instant since,
+    Duration held,
     @Nullable Duration remaining) {
 
   LeaseView {
@@ -43,6 +44,7 @@ record LeaseView(
         lease.isLocal(),
         lease.host(),
         lease.since(),
+        lease.held(),
         lease.remaining());
   }
 

@@ -2,7 +2,6 @@ package org.dfra.app.lease;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -93,7 +92,7 @@ final class ListCommand implements Callable<Integer> {
           each.module(),
           each.holder().name().toLowerCase(Locale.ROOT),
           each.holderInWords(),
-          Seen.span(Duration.between(each.since(), Instant.now())) + " ago",
+          Seen.span(each.held()) + " ago",
           each.endInWords(),
           each.shortId());
     }

@@ -1,5 +1,6 @@
 package org.dfra.app.stop;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Locale;
 import org.dfra.flow.effector.StopState;
@@ -59,10 +60,11 @@ record Outcome(
   /**
    * Of an effector that was called to stop.
    *
-   * @param before how it was before, as far as that was known
+   * @param running for how long this command has run: what is older was stopped before. Both are
+   *     spans, since the clocks of two computers differ.
    * @param now what it answered
    */
-  static Outcome ofStop(String module, @Nullable Instant before, StopState now) {
+  static Outcome ofStop(String module, Duration running, StopState now) {
     if (!now.latched()) {
       return new Outcome(
           module,
@@ -74,7 +76,7 @@ record Outcome(
     Result result =
         !now.resting()
             ? Result.NOT_AT_REST
-            : now.since() != null && now.since().equals(before)
+            : now.age() != null && now.age().compareTo(running) > 0
                 ? Result.STOPPED_ALREADY
                 : Result.STOPPED;
     return new Outcome(module, result, now.by(), now.since(), now.fault());

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -28,10 +29,8 @@ import org.dfra.directory.Watch;
 import org.dfra.flow.effector.Effector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.module.Module;
-import org.dfra.persona.StopAttributes;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.Inventory;
-import org.dfra.river.bootstrap.KeptStops;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.call.Refusal;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -81,7 +80,7 @@ public final class StopCommand implements Callable<Integer> {
   private CommandSpec spec;
 
   private final Set<Outcome> said = new HashSet<>(); // guarded by itself
-  private final Instant begun = Instant.now();
+  private final long begun = System.nanoTime();
   private String by = "";
 
   /** An effector as programs are told of it. */
@@ -140,16 +139,12 @@ public final class StopCommand implements Callable<Integer> {
     return all || robots.contains(robot);
   }
 
-  private Outcome call(String path, Effector<?> effector, @Nullable Instant before)
-      throws RemoteException {
-    return release
-        ? Outcome.ofRelease(path, by, effector.releaseStop(by))
-        : Outcome.ofStop(path, before, effector.emergencyStop(by));
-  }
-
-  /** Since when it was stopped before this began; null where it was not. */
-  private @Nullable Instant before(boolean latched, @Nullable Instant since) {
-    return latched && since != null && since.isBefore(begun) ? since : null;
+  private Outcome call(String path, Effector<?> effector) throws RemoteException {
+    if (release) {
+      return Outcome.ofRelease(path, by, effector.releaseStop(by));
+    }
+    StopState now = effector.emergencyStop(by);
+    return Outcome.ofStop(path, Duration.ofNanos(System.nanoTime() - begun), now);
   }
 
   /** On a thread of the round's: phoenix may not answer, and the lookup services must not wait. */
@@ -169,9 +164,7 @@ public final class StopCommand implements Callable<Integer> {
       LocalEffectors effectors =
           new LocalEffectors(() -> Inventory.services(phoenix), known, this::isWanted);
       for (LocalEffectors.Local each : effectors.all()) {
-        StopState kept = KeptStops.of(state, each.robot(), each.name());
-        @Nullable Instant before = before(kept.latched(), kept.since());
-        round.callLocal(each.path(), () -> call(each.path(), each.way().reach(), before));
+        round.callLocal(each.path(), () -> call(each.path(), each.way().reach()));
       }
     } catch (IOException | ActivationException e) {
       if (Refusal.isProvenBy(e)) {
@@ -211,12 +204,7 @@ public final class StopCommand implements Callable<Integer> {
 
   private void callListed(StopRound round, ModuleListing<Module> listing) {
     if (listing.module() instanceof Effector<?> effector && isWanted(listing.robot())) {
-      @Nullable Instant before =
-          listing
-              .attributes(StopAttributes.class)
-              .map(each -> before(each.latched(), each.since()))
-              .orElse(null);
-      round.callListed(listing.id(), listing.path(), () -> call(listing.path(), effector, before));
+      round.callListed(listing.id(), listing.path(), () -> call(listing.path(), effector));
     }
   }
 

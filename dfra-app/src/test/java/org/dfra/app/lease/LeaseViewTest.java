@@ -14,23 +14,27 @@ class LeaseViewTest {
 
   private static final UUID ID = UUID.fromString("7f73df46-0000-4000-8000-000000000000");
 
+  private static final Duration HELD = Duration.ofSeconds(90);
+
   @Test
   void tellsWhoHoldsItAndForHowLong() {
     LeaseView far =
         LeaseView.of(
             "atrv1/gps",
             new LeaseStatus(
-                ID, Holder.CLIENT, "192.0.2.7", Instant.EPOCH, Duration.ofMillis(8600)));
+                ID, Holder.CLIENT, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofMillis(8600)));
     assertThat(far.shortId()).isEqualTo("7f73df46");
     assertThat(far.hostInWords()).isEqualTo("192.0.2.7");
     assertThat(far.endInWords()).isEqualTo("in 9 s");
     assertThat(far.local()).isFalse();
+    assertThat(far.held()).isEqualTo(HELD);
   }
 
   @Test
   void tellsWhoLivesWithTheModule() {
     LeaseView near =
-        LeaseView.of("atrv1/gps", new LeaseStatus(ID, Holder.WATCHER, null, Instant.EPOCH, null));
+        LeaseView.of(
+            "atrv1/gps", new LeaseStatus(ID, Holder.WATCHER, null, Instant.EPOCH, HELD, null));
     assertThat(near.hostInWords()).isEqualTo("its own JVM");
     assertThat(near.endInWords()).isEqualTo("with the module");
     assertThat(near.local()).isTrue();
@@ -41,14 +45,15 @@ class LeaseViewTest {
     LeaseView somewhere =
         LeaseView.of(
             "atrv1/gps",
-            new LeaseStatus(ID, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(1)));
+            new LeaseStatus(ID, Holder.CLIENT, null, Instant.EPOCH, HELD, Duration.ofSeconds(1)));
     assertThat(somewhere.hostInWords()).isEqualTo("not known");
   }
 
   @Test
   void namesTheModuleThatHoldsItWhereOneIsKnown() {
     LeaseStatus lease =
-        new LeaseStatus(ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, Duration.ofSeconds(1));
+        new LeaseStatus(
+            ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofSeconds(1));
     Holders holders = new Holders().add("atrv1/search", Set.of(ID, new UUID(0, 1)));
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/search");

@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.flow.effector.StopState;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,7 +23,8 @@ import org.junit.jupiter.api.Timeout;
 class StopRoundTest {
 
   private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
-  private static final StopState STOPPED = new StopState(true, "ops", NOON, true, null);
+  private static final Duration RUNNING = Duration.ofSeconds(2);
+  private static final StopState STOPPED = stopped(Duration.ofSeconds(1), true, null);
 
   private final BlockingQueue<Outcome> well = new LinkedBlockingQueue<>();
   private final CountDownLatch end = new CountDownLatch(1);
@@ -36,7 +38,11 @@ class StopRoundTest {
   }
 
   private static Outcome stopped(String path) {
-    return Outcome.ofStop(path, null, STOPPED);
+    return Outcome.ofStop(path, RUNNING, STOPPED);
+  }
+
+  private static StopState stopped(Duration age, boolean resting, @Nullable String fault) {
+    return new StopState(true, "ops", NOON, resting, fault, age);
   }
 
   @Test
@@ -133,16 +139,17 @@ class StopRoundTest {
 
   @Test
   void tellsWhatTheAnswersMean() {
-    assertThat(List.of(stopped("a/b"), Outcome.ofStop("a/b", NOON, STOPPED)))
+    StopState before = stopped(Duration.ofSeconds(3), true, null); // whatever its clock says
+    assertThat(List.of(stopped("a/b"), Outcome.ofStop("a/b", RUNNING, before)))
         .extracting(Outcome::inWords)
         .containsExactly(
             "a/b: stopped.", "a/b: was stopped already, since 2026-11-21T12:00:00Z, by ops.");
-    StopState heldUp = new StopState(true, "ops", NOON, false, "its driver is held up");
-    assertThat(Outcome.ofStop("a/b", NOON, heldUp))
+    StopState heldUp = stopped(Duration.ofSeconds(3), false, "its driver is held up");
+    assertThat(Outcome.ofStop("a/b", RUNNING, heldUp))
         .returns("a/b: NOT AT REST: its driver is held up.", Outcome::inWords)
         .matches(each -> !each.result().isWell());
     StopState free = new StopState(false, "the chief", NOON, true, null);
-    assertThat(Outcome.ofStop("a/b", null, free).result()).isEqualTo(Result.NOT_STOPPED);
+    assertThat(Outcome.ofStop("a/b", RUNNING, free).result()).isEqualTo(Result.NOT_STOPPED);
     assertThat(Outcome.ofRelease("a/b", "the chief", free).inWords()).isEqualTo("a/b: released.");
     assertThat(Outcome.ofRelease("a/b", "ops", StopState.NEVER).inWords())
         .isEqualTo("a/b: was not stopped.");

@@ -15,6 +15,7 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.core.behavior.DriveInterlock.Seen;
 import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootMoment;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
@@ -96,9 +97,14 @@ final class RasterMemory {
       text.setProperty("path-reached", Integer.toString(path.reached()));
       text.setProperty("path-missed", Integer.toString(path.missed()));
     }
-    @Nullable Instant since = begun.seen().since();
-    text.setProperty(
-        begun.seen().isKnown() ? "stopped" : "asked", since == null ? NEVER : since.toString());
+    Seen seen = begun.seen();
+    @Nullable Instant since = seen.since();
+    @Nullable BootMoment asked = seen.asked();
+    if (seen.isKnown()) {
+      text.setProperty("stopped", since == null ? NEVER : since.toString());
+    } else if (asked != null) {
+      text.setProperty("asked-at", asked.toString());
+    }
     write(text);
   }
 
@@ -162,14 +168,18 @@ final class RasterMemory {
         : null;
   }
 
+  /** Where neither is there, as in what was kept before 0.2, any stop at all counts. */
   private static Seen seen(Properties text) {
-    boolean isKnown = text.containsKey("stopped");
-    if (!isKnown && !text.containsKey("asked")) {
-      return Seen.NOTHING; // kept by nobody before 0.2
+    @Nullable String asked = text.getProperty("asked-at");
+    if (asked != null) {
+      return Seen.unknown(BootMoment.parse(asked));
     }
-    String since = wanted(text, isKnown ? "stopped" : "asked");
+    @Nullable String since = text.getProperty("stopped");
+    if (since == null) {
+      return Seen.NOTHING;
+    }
     try {
-      return new Seen(since.equals(NEVER) ? null : Instant.parse(since), isKnown);
+      return Seen.known(since.equals(NEVER) ? null : Instant.parse(since));
     } catch (DateTimeParseException e) {
       throw new IllegalArgumentException("\"" + since + "\" is no time", e);
     }

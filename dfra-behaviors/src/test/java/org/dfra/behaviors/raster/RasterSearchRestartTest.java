@@ -211,6 +211,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
             whole + "path=x\npath-reached=0\npath-missed=0\n",
             whole + "path=00000000-0000-0000-0000-000000000001\npath-reached=0\n",
             whole + "stopped=yesterday\n",
+            whole + "asked-at=yesterday\n",
             whole.replace("48.0001,11.0001", "NaN,11"),
             whole.replace("48.0,11.0001", "48.0,11.0"))) {
       robot.states.put("raster_search", StateStore.inMemory());

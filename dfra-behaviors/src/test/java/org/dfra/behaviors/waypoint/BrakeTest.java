@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.dfra.behaviors.ScriptedRobot.at;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
@@ -298,6 +299,28 @@ class BrakeTest {
     robot.show(robot.drive);
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 60)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(again);
+  }
+
+  @Test
+  void whetherAStopIsLaterThanAGoalDoesNotDependOnAnyClock() throws Exception {
+    FollowWaypointsImpl follow = addFollow();
+    robot.setAhead("drive", Duration.ofHours(1));
+    stopAndRelease(); // before the goal, and after it by the clocks
+    robot.time.step(1);
+    robot.hide(robot.drive);
+    UUID unused = follow.pursueUnattended(PATH);
+    robot.time.step(1);
+    robot.show(robot.drive);
+    assertThat(robot.reaches(follow, Phase.SUCCEEDED, 60)).as("%s", follow.status()).isTrue();
+    robot.hide(robot.drive);
+    UUID again = follow.pursueUnattended(PATH);
+    robot.time.step(1);
+    robot.setAhead("drive", Duration.ofHours(-1));
+    stopAndRelease(); // after the goal, and before it by the clocks
+    robot.show(robot.drive);
+    assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", follow.status()).isTrue();
+    assertThat(follow.status().goal()).isEqualTo(again);
+    staysWhereItIs();
   }
 
   @Test

@@ -3,10 +3,11 @@ package org.dfra.core.behavior;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.temporal.ChronoUnit;
 import java.util.Objects;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.Needed;
+import org.dfra.core.time.BootId;
+import org.dfra.core.time.BootMoment;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -28,8 +29,8 @@ import org.slf4j.Logger;
  * new lease, the next leg or the next process.
  *
  * <p>An emergency stop ends a goal also where it was released before the goal came to command the
- * wheels again: {@link #requireNotStoppedSince} compares the stop's time with that of {@link
- * #prepare}.
+ * wheels again: {@link #requireNotStoppedSince} finds out whether the last stop is another one than
+ * that of {@link #prepare}, or, where the wheels were not found then, whether it is younger.
  *
  * <p>Thread-safe.
  */
@@ -40,27 +41,43 @@ public final class DriveInterlock {
   /**
    * The drive's last stop or release before a goal.
    *
-   * @param since when that was, null where there never was one; or, where it is not known, when the
-   *     goal was asked for
    * @param isKnown whether the drive was there to be asked
+   * @param since when that was, by the drive's clock; null where there never was one, or it is not
+   *     known
+   * @param asked where it is not known: when the goal was asked for; null where that is not known
+   *     either, so that any stop at all counts
    */
-  public record Seen(@Nullable Instant since, boolean isKnown) {
+  public record Seen(boolean isKnown, @Nullable Instant since, @Nullable BootMoment asked) {
 
     /** Nothing is known; any stop at all counts. */
-    public static final Seen NOTHING = unknown(Instant.EPOCH);
+    public static final Seen NOTHING = new Seen(false, null, null);
 
-    /** The drive was not there when the goal was asked for. */
-    static Seen unknown(Instant asked) {
-      return new Seen(asked.truncatedTo(ChronoUnit.MILLIS), false); // as exact as a drive's times
+    /** The drive was there, and was last stopped or released then; null for never. */
+    public static Seen known(@Nullable Instant since) {
+      return new Seen(true, since, null);
     }
 
-    private boolean isStoppedSince(StopState now) {
-      Instant last = now.since();
-      boolean isOther =
-          isKnown || since == null
-              ? !Objects.equals(last, since)
-              : last != null && !last.isBefore(since);
-      return now.latched() || isOther;
+    /** The drive was not there when the goal was asked for. */
+    public static Seen unknown(BootMoment asked) {
+      return new Seen(false, null, asked);
+    }
+
+    /**
+     * Whether the drive was stopped, or may have been.
+     *
+     * @param answered when it had answered, by this process's monotonic time, nanoseconds
+     */
+    private boolean isStoppedSince(StopState now, long answered) {
+      if (now.latched()) {
+        return true;
+      } else if (isKnown) {
+        return !Objects.equals(now.since(), since);
+      } else if (now.since() == null) {
+        return false;
+      }
+      // The drive's clock may be another computer's, and both are set; spans are comparable.
+      @Nullable Duration age = now.age();
+      return asked == null || age == null || answered - age.toNanos() - asked.nanos() >= 0;
     }
   }
 
@@ -103,10 +120,10 @@ public final class DriveInterlock {
       if (isAttended) {
         throw e;
       }
-      seen = Seen.unknown(context.clock().instant());
+      seen = Seen.unknown(now());
       return;
     }
-    seen = new Seen(wheels.stopState().since(), true);
+    seen = Seen.known(wheels.stopState().since());
     if (!isAttended) {
       return;
     }
@@ -120,6 +137,10 @@ public final class DriveInterlock {
     if (wheels.drive().brake()) {
       release(wheels);
     }
+  }
+
+  private BootMoment now() {
+    return BootMoment.now(BootId.system(), context.scheduler());
   }
 
   private void release(DriveEffector wheels) throws RemoteException {
@@ -136,9 +157,13 @@ public final class DriveInterlock {
     return seen;
   }
 
-  /** What the same goal found in an earlier process. */
+  /**
+   * What the same goal found in an earlier process. Where that is only when it was asked for, it
+   * counts within the same boot, and any stop counts after another.
+   */
   public void restore(Seen earlier) {
-    seen = earlier;
+    @Nullable BootMoment asked = earlier.asked();
+    seen = asked == null || asked.isOfBoot(now()) ? earlier : Seen.NOTHING;
   }
 
   /**
@@ -156,7 +181,7 @@ public final class DriveInterlock {
   /** The same of these wheels. */
   public void requireNotStoppedSince(DriveEffector wheels) throws RemoteException {
     StopState now = wheels.stopState();
-    if (seen.isStoppedSince(now)) {
+    if (seen.isStoppedSince(now, context.scheduler().nanos())) {
       throw new StoppedCommandException(
           path
               + ": its drive was stopped for an emergency after the goal was begun, "

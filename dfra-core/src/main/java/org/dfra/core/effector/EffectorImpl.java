@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.UUID;
 import org.dfra.core.module.DeviceImpl;
 import org.dfra.core.module.ModuleContext;
+import org.dfra.core.time.BootId;
 import org.dfra.flow.effector.Command;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
@@ -59,7 +60,14 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
       List<Precondition> preconditions) {
     super(context, description, author, version, takes, puts, preconditions);
     this.time = context.robotTime();
-    StopLatch latch = new StopLatch(context.path(), context.state(), context.clock(), log);
+    StopLatch latch =
+        new StopLatch(
+            context.path(),
+            context.state(),
+            context.clock(),
+            context.scheduler(),
+            BootId.system(),
+            log);
     this.helm =
         new Helm(
             context.path(),

@@ -174,6 +174,11 @@ final class EmergencyStop {
     return fault == null
         ? stop
         : new StopState(
-            stop.latched(), stop.by(), stop.since(), false, StopLatch.join(fault, stop.fault()));
+            stop.latched(),
+            stop.by(),
+            stop.since(),
+            false,
+            StopLatch.join(fault, stop.fault()),
+            stop.age());
   }
 }

@@ -11,27 +11,42 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.zip.CRC32;
+import org.dfra.core.time.BootMoment;
 import org.dfra.flow.effector.StopState;
 import org.jspecify.annotations.Nullable;
 
 /**
  * An emergency stop as bytes: magic number, whether it is latched, since when (milliseconds since
- * 1970, UTC), by whom; then a check sum of all that, so that damage is never taken for a release.
+ * 1970, UTC), by whom, and the same moment by monotonic time (nanoseconds, and the boot); then a
+ * check sum of all that, so that damage is never taken for a release.
  */
 final class StopForm {
 
   /** "DFE" and the form's version. */
-  private static final int MAGIC = 0x44464501;
+  private static final int MAGIC = 0x44464502;
+
+  /** The same without monotonic time, as versions before 0.2 wrote it. */
+  private static final int OLD_MAGIC = 0x44464501;
+
+  /**
+   * What was read.
+   *
+   * @param stop of unknown age
+   * @param moment when that was, by monotonic time
+   */
+  record Read(StopState stop, BootMoment moment) {}
 
   private StopForm() {}
 
-  static byte[] write(boolean latched, Instant since, String by) {
+  static byte[] write(boolean latched, Instant since, String by, BootMoment moment) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (DataOutputStream out = new DataOutputStream(bytes)) {
       out.writeInt(MAGIC);
       out.writeBoolean(latched);
       out.writeLong(since.toEpochMilli());
       out.writeUTF(by);
+      out.writeLong(moment.nanos());
+      out.writeUTF(moment.boot());
       out.writeLong(sum(bytes.toByteArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e); // there is always memory to write to
@@ -40,19 +55,24 @@ final class StopForm {
   }
 
   /** The stop; null where these are not the bytes of one. */
-  static @Nullable StopState read(byte[] content) {
+  static @Nullable Read read(byte[] content) {
     int body = content.length - Long.BYTES;
     if (body < 0 || ByteBuffer.wrap(content, body, Long.BYTES).getLong() != sum(content, body)) {
       return null;
     }
     try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(content, 0, body))) {
-      if (in.readInt() != MAGIC) {
+      int magic = in.readInt();
+      if (magic != MAGIC && magic != OLD_MAGIC) {
         return null;
       }
       boolean latched = in.readBoolean();
       Instant since = Instant.ofEpochMilli(in.readLong());
       String by = in.readUTF();
-      return in.available() == 0 ? new StopState(latched, by, since, true, null) : null;
+      long nanos = magic == MAGIC ? in.readLong() : 0;
+      String boot = magic == MAGIC ? in.readUTF() : "";
+      return in.available() == 0
+          ? new Read(new StopState(latched, by, since, true, null), new BootMoment(boot, nanos))
+          : null;
     } catch (IOException | DateTimeException e) {
       return null;
     }

@@ -1,12 +1,16 @@
 package org.dfra.core.effector;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootId;
+import org.dfra.core.time.BootMoment;
 import org.dfra.flow.effector.StopState;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -23,75 +27,109 @@ import org.slf4j.Logger;
 public final class StopLatch {
 
   private static final String NAME = "stop";
+  private static final BootMoment UNKNOWN = new BootMoment("", 0);
 
   private final String module;
   private final StateStore state;
   private final InstantSource clock;
+  private final Scheduler time;
+  private final BootId boot;
   private final Logger log;
 
   /** Taken before this; held while writing, so that nothing older is written over a newer one. */
   private final Object file = new Object();
 
-  private volatile StopState now; // written under this
+  private volatile Latched now; // written under this
   private volatile @Nullable String unkept; // written under file; why it cannot be kept
+
+  /**
+   * How it is.
+   *
+   * @param stop of unknown age
+   * @param nanos when that was, or a moment after it, by this process's monotonic time; nothing
+   *     where {@code since} is null
+   */
+  private record Latched(StopState stop, long nanos) {}
 
   /**
    * As the last life has left it.
    *
    * @param module the effector's path, {@code robot/name}
    * @param state where it is kept
-   * @param clock says since when it is latched
+   * @param clock says since when it is latched, for people
+   * @param time tells how long ago that was
+   * @param boot that this time belongs to
    */
-  StopLatch(String module, StateStore state, InstantSource clock, Logger log) {
+  StopLatch(
+      String module,
+      StateStore state,
+      InstantSource clock,
+      Scheduler time,
+      BootId boot,
+      Logger log) {
     this.module = module;
     this.state = state;
     this.clock = clock;
+    this.time = time;
+    this.boot = boot;
     this.log = log;
-    this.now = kept(state);
-    if (now.latched()) {
-      log.warn("{}{}", refusal(), now.fault() == null ? "" : " (" + now.fault() + ")");
+    StopForm.Read kept = read(state);
+    BootMoment begin = BootMoment.now(boot, time);
+    StopState stop = kept.stop();
+    this.now = new Latched(stop, begin.nanos() - kept.moment().leastAge(begin).toNanos());
+    if (stop.latched()) {
+      log.warn("{}{}", refusal(), stop.fault() == null ? "" : " (" + stop.fault() + ")");
     }
   }
 
-  /** What is kept of an effector's stop, whether the effector lives or not. */
+  /** What is kept of an effector's stop, whether the effector lives or not; of unknown age. */
   public static StopState kept(StateStore state) {
+    return read(state).stop();
+  }
+
+  private static StopForm.Read read(StateStore state) {
     try {
       Optional<byte[]> content = state.read(NAME);
       if (content.isEmpty()) {
-        return StopState.NEVER;
+        return new StopForm.Read(StopState.NEVER, UNKNOWN);
       }
-      @Nullable StopState read = StopForm.read(content.get());
+      StopForm.@Nullable Read read = StopForm.read(content.get());
       return read != null ? read : taken(state, "is damaged");
     } catch (IOException e) {
       return taken(state, "cannot be read (" + e + ")");
     }
   }
 
-  private static StopState taken(StateStore state, String why) {
-    return new StopState(
-        true,
-        null,
-        null,
-        true,
-        "what is kept of its emergency stop in "
-            + state
-            + " "
-            + why
-            + ", so it is taken to be stopped");
+  private static StopForm.Read taken(StateStore state, String why) {
+    StopState stop =
+        new StopState(
+            true,
+            null,
+            null,
+            true,
+            "what is kept of its emergency stop in "
+                + state
+                + " "
+                + why
+                + ", so it is taken to be stopped");
+    return new StopForm.Read(stop, UNKNOWN);
   }
 
   /** How it is, as far as this latch knows. */
   StopState state() {
-    StopState stop = now;
+    Latched latched = now;
+    StopState stop = latched.stop();
+    @Nullable Duration age =
+        stop.since() == null
+            ? null
+            : Duration.ofNanos(Math.max(0, time.nanos() - latched.nanos()));
     @Nullable String why = unkept;
-    return why == null
-        ? stop
-        : new StopState(
-            stop.latched(), stop.by(), stop.since(), stop.resting(), join(stop.fault(), why));
+    @Nullable String fault = why == null ? stop.fault() : join(stop.fault(), why);
+    return new StopState(stop.latched(), stop.by(), stop.since(), stop.resting(), fault, age);
   }
 
   boolean isLatched() {
-    return now.latched();
+    return now.stop().latched();
   }
 
   /**
@@ -101,7 +139,8 @@ public final class StopLatch {
    * @return false if it was latched already, by somebody who is known; then it stays as it is
    */
   synchronized boolean engage(@Nullable String by) {
-    return !(now.latched() && now.by() != null) && set(true, by);
+    StopState stop = now.stop();
+    return !(stop.latched() && stop.by() != null) && set(true, by);
   }
 
   /**
@@ -111,12 +150,13 @@ public final class StopLatch {
    * @return false if it was not latched
    */
   synchronized boolean release(@Nullable String by) {
-    return now.latched() && set(false, by);
+    return isLatched() && set(false, by);
   }
 
   private boolean set(boolean latched, @Nullable String by) {
     Instant since = clock.instant().truncatedTo(ChronoUnit.MILLIS);
-    now = new StopState(latched, StopState.requesterName(by), since, true, null);
+    StopState stop = new StopState(latched, StopState.requesterName(by), since, true, null);
+    now = new Latched(stop, time.nanos());
     return true;
   }
 
@@ -127,14 +167,16 @@ public final class StopLatch {
    */
   boolean keep() {
     synchronized (file) {
-      StopState stop = now;
+      Latched latched = now;
+      StopState stop = latched.stop();
       @Nullable Instant since = stop.since();
       @Nullable String by = stop.by();
       if (since == null || by == null) {
         return true; // what was read and never changed
       }
       try {
-        state.write(NAME, StopForm.write(stop.latched(), since, by));
+        BootMoment moment = new BootMoment(BootMoment.now(boot, time).boot(), latched.nanos());
+        state.write(NAME, StopForm.write(stop.latched(), since, by, moment));
         unkept = null;
         return true;
       } catch (IOException e) {
@@ -155,7 +197,7 @@ public final class StopLatch {
     int slash = module.indexOf('/');
     return module
         + " is stopped for an emergency "
-        + now.inWords()
+        + now.stop().inWords()
         + ", and obeys nobody; when it is safe, release it: ./dfra stop --release "
         + (slash < 0 ? module : module.substring(0, slash));
   }

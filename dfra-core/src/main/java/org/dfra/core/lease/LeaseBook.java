@@ -88,6 +88,7 @@ public final class LeaseBook implements AutoCloseable {
     final Holder holder;
     final @Nullable String host;
     final Instant since;
+    final long granted; // nanoseconds of the scheduler
     final Runnable whenOver;
     final Runnable whenCancelled;
     long end; // guarded by entries; nothing where there is no expiry
@@ -97,11 +98,13 @@ public final class LeaseBook implements AutoCloseable {
         Holder holder,
         @Nullable String host,
         Instant since,
+        long granted,
         Runnable whenOver,
         Runnable whenCancelled) {
       this.holder = holder;
       this.host = host;
       this.since = since;
+      this.granted = granted;
       this.whenOver = whenOver;
       this.whenCancelled = whenCancelled;
     }
@@ -143,7 +146,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = new Entry(holder, host, clock.instant(), whenOver, whenCancelled);
+      Entry entry = entry(holder, host, whenOver, whenCancelled);
       extend(id, entry, asked); // first: what cannot be ended in time is not granted
       entries.put(id, entry);
     }
@@ -170,10 +173,15 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      entries.put(id, new Entry(holder, null, clock.instant(), whenOver, whenCancelled));
+      entries.put(id, entry(holder, null, whenOver, whenCancelled));
     }
     tell();
     return id;
+  }
+
+  private Entry entry(
+      Holder holder, @Nullable String host, Runnable whenOver, Runnable whenCancelled) {
+    return new Entry(holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
   }
 
   private void refuseIfClosed() throws LeaseRefusedException {
@@ -260,20 +268,23 @@ public final class LeaseBook implements AutoCloseable {
   /** Every lease there is now, the oldest first. */
   public List<LeaseStatus> leases() {
     synchronized (entries) {
+      long now = scheduler.nanos();
       return entries.entrySet().stream()
-          .map(each -> status(each.getKey(), each.getValue()))
-          .sorted(Comparator.comparing(LeaseStatus::since).thenComparing(LeaseStatus::id))
+          .map(each -> status(each.getKey(), each.getValue(), now))
+          .sorted(
+              Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::id))
           .toList();
     }
   }
 
-  private LeaseStatus status(UUID id, Entry entry) {
+  private LeaseStatus status(UUID id, Entry entry, long now) {
     return new LeaseStatus(
         id,
         entry.holder,
         entry.host,
         entry.since,
-        entry.expiry == null ? null : Duration.ofNanos(Math.max(0, entry.end - scheduler.nanos())));
+        Duration.ofNanos(now - entry.granted),
+        entry.expiry == null ? null : Duration.ofNanos(Math.max(0, entry.end - now)));
   }
 
   /** Whether there is such a lease. */

@@ -13,11 +13,13 @@ import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootId;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.flow.effector.StoppedLeaseException;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.slf4j.LoggerFactory;
 
@@ -33,6 +35,8 @@ class HelmTest {
           "atrv1/wheels",
           StateStore.inMemory(),
           clock,
+          Scheduler.system(),
+          BootId.system(),
           LoggerFactory.getLogger("dfra.atrv1.wheels"));
   private final Helm helm =
       new Helm(

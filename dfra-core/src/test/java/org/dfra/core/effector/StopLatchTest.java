@@ -2,16 +2,21 @@ package org.dfra.core.effector;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
-import java.time.InstantSource;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
+import java.util.zip.CRC32;
+import org.dfra.core.lease.SteppedScheduler;
 import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootId;
 import org.dfra.flow.effector.StopState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,15 +28,24 @@ class StopLatchTest {
 
   @TempDir Path folder;
 
+  private final SteppedScheduler time = new SteppedScheduler();
+  private Instant wall = NOW;
+
   private StopLatch latch() {
     return latch(StateStore.in(folder));
   }
 
-  private static StopLatch latch(StateStore state) {
+  private StopLatch latch(StateStore state) {
+    return latch(state, BootId.system());
+  }
+
+  private StopLatch latch(StateStore state, BootId boot) {
     return new StopLatch(
         "atrv1/drive",
         state,
-        InstantSource.fixed(NOW),
+        () -> wall,
+        time,
+        boot,
         LoggerFactory.getLogger("dfra.atrv1.drive"));
   }
 
@@ -59,6 +73,62 @@ class StopLatchTest {
     StopState kept = StopLatch.kept(StateStore.in(folder));
     assertThat(kept.latched()).isFalse();
     assertThat(kept.by()).isEqualTo("the chief");
+  }
+
+  @Test
+  void tellsHowLongAgoItWasWhateverIsDoneToTheClock() throws Exception {
+    StateStore state = StateStore.inMemory();
+    BootId boot = boot("one");
+    StopLatch first = latch(state, boot);
+    assertThat(first.state().age()).as("of one that was never stopped").isNull();
+    first.engage("ops");
+    first.keep();
+    time.step(Duration.ofSeconds(3));
+    wall = wall.minus(Duration.ofHours(1));
+    assertThat(first.state().age()).isEqualTo(Duration.ofSeconds(3));
+    time.step(Duration.ofSeconds(4));
+    wall = wall.plus(Duration.ofDays(300));
+    StopLatch second = latch(state, boot);
+    assertThat(second.state().age()).as("in the next life").isEqualTo(Duration.ofSeconds(7));
+    second.release("ops");
+    assertThat(second.state().age()).as("of the release").isZero();
+    assertThat(StopLatch.kept(state).age()).as("where no effector lives").isNull();
+  }
+
+  @Test
+  void afterAnotherBootItIsKnownToBeAsOldAsThisLifeAtLeast() throws Exception {
+    StateStore state = StateStore.inMemory();
+    StopLatch first = latch(state, boot("one"));
+    first.engage("ops");
+    first.keep();
+    StopLatch unknown = latch(state, new BootId(folder.resolve("none")));
+    time.step(Duration.ofSeconds(2));
+    assertThat(unknown.state().age()).isEqualTo(Duration.ofSeconds(2));
+    assertThat(unknown.state()).isEqualTo(first.state());
+  }
+
+  /** Version 0.1 wrote no monotonic time. */
+  @Test
+  void readsWhatAnEarlierVersionKept() throws Exception {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(bytes);
+    out.writeInt(0x44464501);
+    out.writeBoolean(true);
+    out.writeLong(NOW.toEpochMilli());
+    out.writeUTF("ops");
+    CRC32 sum = new CRC32();
+    sum.update(bytes.toByteArray());
+    out.writeLong(sum.getValue());
+    StateStore state = StateStore.inMemory();
+    state.write("stop", bytes.toByteArray());
+    StopState kept = latch(state, boot("one")).state();
+    assertThat(kept.by()).isEqualTo("ops");
+    assertThat(kept.fault()).isNull();
+    assertThat(kept.age()).isZero();
+  }
+
+  private BootId boot(String name) throws IOException {
+    return new BootId(Files.writeString(folder.resolve(name), name));
   }
 
   @Test

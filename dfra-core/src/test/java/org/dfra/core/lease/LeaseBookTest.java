@@ -9,6 +9,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseStatus;
@@ -81,11 +82,34 @@ class LeaseBookTest {
     assertThat(book.leases())
         .containsExactlyInAnyOrder(
             new LeaseStatus(
-                far.id(), Holder.WATCHER, "192.0.2.7", Instant.EPOCH, Duration.ofSeconds(6)),
-            new LeaseStatus(near, Holder.CLIENT, null, Instant.EPOCH, null));
+                far.id(),
+                Holder.WATCHER,
+                "192.0.2.7",
+                Instant.EPOCH,
+                Duration.ofSeconds(4),
+                Duration.ofSeconds(6)),
+            new LeaseStatus(
+                near, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
     assertThat(book.cancel(near)).isTrue();
     time.step(Duration.ofSeconds(6));
     assertThat(book.leases()).isEmpty();
+  }
+
+  @Test
+  void theOldestIsToldFirstWhateverIsDoneToTheClock() throws Exception {
+    AtomicReference<Instant> wall = new AtomicReference<>(Instant.EPOCH);
+    try (LeaseBook stepped =
+        new LeaseBook("atrv1/gps", LeaseTerms.USUAL, wall::get, time, clients -> {})) {
+      UUID older = stepped.hold(Holder.CLIENT, () -> {});
+      time.step(Duration.ofSeconds(4));
+      wall.set(Instant.EPOCH.minus(Duration.ofHours(1)));
+      UUID younger = stepped.hold(Holder.CLIENT, () -> {});
+      time.step(Duration.ofSeconds(1));
+      assertThat(stepped.leases()).extracting(LeaseStatus::id).containsExactly(older, younger);
+      assertThat(stepped.leases())
+          .extracting(LeaseStatus::held)
+          .containsExactly(Duration.ofSeconds(5), Duration.ofSeconds(1));
+    }
   }
 
   @Test

@@ -111,7 +111,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
         new LatestReading<>("position", this, this::become, ticker::nanos, pace::longestAge);
     this.heard = new Heard(ticker);
     this.attributes = new ReceiverAttributes(kind.sensor());
-    this.rollover = new WeekRollover(context.clock());
+    this.rollover = WeekRollover.of(context.clock(), address);
     Reader reader = new Reader();
     this.protocol = protocol.apply(reader);
     this.dialogue = new ReceiverDialogue(this.protocol, pace, ticker, reader);
@@ -247,7 +247,7 @@ public abstract class ReceiverImpl<P extends ReceiverProtocol> extends SensorImp
     @Override
     public void solved(Solution reported) {
       Instant utc = reported.fix().utc();
-      Instant corrected = rollover.correct(utc);
+      Instant corrected = reported.reportsDate() ? rollover.correct(utc) : utc;
       Solution solution = corrected.equals(utc) ? reported : reported.at(corrected);
       dialogue.solved(solution);
       heard.count(ReceiverExamination.SOLUTION);

@@ -14,13 +14,16 @@ import org.jspecify.annotations.Nullable;
  * @param horizontalAccuracy what the receiver takes its horizontal error for, metres, one sigma;
  *     NaN where it does not tell
  * @param verticalAccuracy the same of its height
+ * @param reportsDate whether the fix' date is the receiver's, sure or not; false where the
+ *     computer's clock stands in for it
  */
 public record Solution(
     GpsFix fix,
     @Nullable String utcDoubt,
     String state,
     double horizontalAccuracy,
-    double verticalAccuracy) {
+    double verticalAccuracy,
+    boolean reportsDate) {
 
   /** The same at another time, UTC. */
   Solution at(Instant utc) {
@@ -37,7 +40,18 @@ public record Solution(
         utcDoubt,
         state,
         horizontalAccuracy,
-        verticalAccuracy);
+        verticalAccuracy,
+        reportsDate);
+  }
+
+  /** Of a receiver that reports the date only together with UTC. */
+  public Solution(
+      GpsFix fix,
+      @Nullable String utcDoubt,
+      String state,
+      double horizontalAccuracy,
+      double verticalAccuracy) {
+    this(fix, utcDoubt, state, horizontalAccuracy, verticalAccuracy, utcDoubt == null);
   }
 
   /** Of a receiver that does not tell how accurate it is. */

@@ -3,50 +3,82 @@ package org.dfra.drivers.gps;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.function.UnaryOperator;
+import org.dfra.drivers.link.LinkAddress;
+import org.dfra.drivers.link.ReplayAddress;
+import org.dfra.drivers.link.Ticker;
 
 /**
  * Corrects the dates of receivers whose firmware has outlived its GPS week count. GPS counts its
  * weeks modulo 1024, so such a receiver reports a date that is exactly 1024 weeks (19.6 years), or
  * a multiple of it, too early; the time of day is right.
  *
- * <p>The rule: a date up to 512 weeks before the computer's clock is believed, and so is every
- * later one. An earlier date is moved later by as many times 1024 weeks as bring it within 512
- * weeks of the computer's clock. A computer without a clock battery may start in 1970: where its
- * clock is before {@link #RELEASED}, the date is moved to within 512 weeks of that day instead.
+ * <p>The rule depends on where the date comes from:
  *
- * <p>So the computer's clock may be wrong by years. A recording that is more than 512 weeks old is
- * moved as well when it is replayed: nothing tells it from a receiver with that fault.
+ * <ul>
+ *   <li>A <b>receiver</b> cannot report a date before {@link #RELEASED}, since this program did not
+ *       exist then. Such a date is moved later by the least multiple of 1024 weeks that brings it to
+ *       that day or a later one. Any other date is believed. The computer's clock has no part in
+ *       this: it may be at 1970, or years wrong, or behind the receiver.
+ *   <li>A <b>recording</b> ({@code replay:}) is of any year. Its dates are left as they were
+ *       recorded.
+ *   <li>In a <b>simulation</b>, which is of any year too, the simulated clock is right. A date up to
+ *       512 weeks before it, or later than it, is believed; an earlier one is brought within 512
+ *       weeks of it.
+ * </ul>
+ *
+ * <p>Only dates that a receiver has reported are corrected, never those of the computer's clock that
+ * stand in for one that is not known yet.
  */
 public final class WeekRollover {
 
-  /** No computer runs this code before that. */
+  /** No receiver was read by this code before that. To be moved on with a release before 2046. */
   static final Instant RELEASED = Instant.parse("2026-11-01T00:00:00Z");
 
   private static final Duration PERIOD = Duration.ofDays(7 * 1024);
 
-  private final InstantSource clock;
+  private final UnaryOperator<Instant> rule;
+
+  private WeekRollover(UnaryOperator<Instant> rule) {
+    this.rule = rule;
+  }
 
   /**
-   * @param clock the computer's clock
+   * The rule for the dates that come over a link.
+   *
+   * @param clock the clock of the module that reads the receiver
+   * @param link where the receiver is
    */
-  public WeekRollover(InstantSource clock) {
-    this.clock = clock;
+  public static WeekRollover of(InstantSource clock, LinkAddress link) {
+    if (link instanceof ReplayAddress) {
+      return new WeekRollover(recorded -> recorded);
+    }
+    return Ticker.isSystemClock(clock)
+        ? new WeekRollover(WeekRollover::sinceTheRelease)
+        : new WeekRollover(reported -> near(clock.instant(), reported));
   }
 
   /** The time that a receiver means which reports this one. */
   public Instant correct(Instant reported) {
-    Instant now = clock.instant();
-    if (periods(reported, now) == 0) {
-      return reported;
-    }
-    Instant reference = now.isBefore(RELEASED) ? RELEASED : now;
-    return reported.plus(PERIOD.multipliedBy(periods(reported, reference)));
+    return rule.apply(reported);
   }
 
-  /** How many periods later is nearest to the reference; none where it is later already. */
-  private static long periods(Instant reported, Instant reference) {
-    long behind = Duration.between(reported, reference).toSeconds();
-    long period = PERIOD.toSeconds();
-    return Math.max(0, Math.floorDiv(behind + period / 2, period));
+  private static Instant sinceTheRelease(Instant reported) {
+    return later(reported, RELEASED, PERIOD.toSeconds() - 1); // rounds up
+  }
+
+  private static Instant near(Instant now, Instant reported) {
+    return later(reported, now, PERIOD.toSeconds() / 2); // rounds to the nearest
+  }
+
+  /**
+   * Moves a time later by whole periods, to that time.
+   *
+   * @param rounding added to the seconds that it is before that time, before they are divided
+   */
+  private static Instant later(Instant reported, Instant to, long rounding) {
+    long behind = Duration.between(reported, to).toSeconds();
+    long periods = Math.floorDiv(behind + rounding, PERIOD.toSeconds());
+    return reported.plus(PERIOD.multipliedBy(Math.max(0, periods)));
   }
 }

@@ -79,10 +79,13 @@ public interface Ticker {
     if (clock instanceof Ticker ticker) {
       return ticker;
     }
-    boolean real =
-        clock.equals(InstantSource.system())
-            || (clock instanceof Clock c && c.equals(Clock.system(c.getZone())));
-    return real ? system() : new ClockTicker(clock);
+    return isSystemClock(clock) ? system() : new ClockTicker(clock);
+  }
+
+  /** Whether a clock is the computer's own, and not that of a simulation. */
+  static boolean isSystemClock(InstantSource clock) {
+    return clock.equals(InstantSource.system())
+        || (clock instanceof Clock c && c.equals(Clock.system(c.getZone())));
   }
 }
 

@@ -73,6 +73,7 @@ abstract class EmergencyStopContract {
     assertThat(driver().told).containsExactly(TURNED, "halt");
     assertThat(stopped.by()).isEqualTo("ops");
     assertThat(stopped.since()).isBeforeOrEqualTo(java.time.Instant.now());
+    assertThat(stopped.age()).as("how long ago, by time that nobody sets").isNotNull();
     assertThat(stopped.fault()).isNull();
     assertThat(effector().drive().commander()).isNull();
     assertThat(driver().leases().leases()).isEmpty();

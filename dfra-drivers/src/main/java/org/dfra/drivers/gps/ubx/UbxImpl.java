@@ -164,7 +164,8 @@ public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
               : "does not know UTC for sure yet; after a cold start that takes up to 12.5 minutes",
           none ? "searching for satellites, " + told.satellites() + " used" : "giving a fix",
           told.horizontalAccuracy(),
-          told.verticalAccuracy());
+          told.verticalAccuracy(),
+          told.utc() != null);
     }
 
     private static List<SatelliteInView> inView(UbxMessage.NavSat sky) {

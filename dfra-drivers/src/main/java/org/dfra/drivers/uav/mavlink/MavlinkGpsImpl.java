@@ -12,6 +12,7 @@ import org.dfra.drivers.gps.ReceiverAttributes;
 import org.dfra.drivers.gps.ReceiverKind;
 import org.dfra.drivers.gps.WeekRollover;
 import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.GpsRaw;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.SystemTime;
@@ -73,7 +74,8 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
 
   private final ReceiverAttributes attributes = new ReceiverAttributes(SENSOR);
-  private final WeekRollover rollover = new WeekRollover(clock());
+  private final WeekRollover rollover =
+      WeekRollover.of(clock(), LinkSettings.address(settings()));
   private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
 
   /**

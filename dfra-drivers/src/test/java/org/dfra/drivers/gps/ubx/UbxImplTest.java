@@ -5,6 +5,7 @@ import static org.dfra.drivers.fixture.Modules.awaitReadiness;
 import static org.dfra.drivers.fixture.Modules.context;
 
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Map;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
@@ -22,6 +23,15 @@ class UbxImplTest {
 
   @Test
   void correctsADateThatIs1024WeeksTooEarly() {
+    correctsADateThatIs1024WeeksTooEarly(InstantSource.system()); // whatever it says
+  }
+
+  @Test
+  void correctsADateThatIs1024WeeksTooEarlyInASimulation() {
+    correctsADateThatIs1024WeeksTooEarly(() -> HOST);
+  }
+
+  private static void correctsADateThatIs1024WeeksTooEarly(InstantSource clock) {
     int[] pvt = new int[92];
     pvt[4] = 2007 & 0xFF;
     pvt[5] = 2007 >> 8;
@@ -37,8 +47,7 @@ class UbxImplTest {
     ScriptedLink link = new ScriptedLink(URL);
     links.add(link);
     try (UbxImpl gps =
-        new UbxImpl(
-            context("gps", Map.of("link", URL), () -> HOST), new StepTicker(false), links)) {
+        new UbxImpl(context("gps", Map.of("link", URL), clock), new StepTicker(false), links)) {
       gps.start();
       link.say(UbxCommands.encode(UbxFramer.NAV_PVT, pvt));
       awaitReadiness(gps, Readiness.READY);
