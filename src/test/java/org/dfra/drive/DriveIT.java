@@ -17,6 +17,9 @@ import org.dfra.core.query.QueryVocabulary;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleListing;
+import org.dfra.example.thermometer.SteadyThermometerImpl;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
@@ -26,6 +29,7 @@ import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
 import org.dfra.module.Module;
 import org.dfra.robot.LivingPhoenix;
+import org.dfra.testing.ServedModule;
 import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -234,6 +238,28 @@ class DriveIT {
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
       assertThat(drive.drive().commander()).isNull();
+    }
+  }
+
+  /** A module of this process is known to hold what this process holds. */
+  @Test
+  void aLeaseIsListedWithTheModuleThatHoldsItInsteadOfAnAddress() throws Exception {
+    ServedModule<ThermometerServer> explorer =
+        ServedModule.of(
+                ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class)
+            .on("eta")
+            .named("explorer")
+            .joining(robot.locator());
+    try (ThermometerServer serving = explorer.serve();
+        Commander commander = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(answered(robot.askHere("lease", "list", "eta/drive")))
+                      .as("%s and %s", serving, commander)
+                      .containsPattern("eta/drive +commander +eta/explorer ")
+                      .doesNotContain("127.0.0.1"));
     }
   }
 

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
 
 /** The how-to shows what is compiled and run here, to the letter. */
@@ -14,15 +16,41 @@ class HowToTest {
 
   private static final Pattern CODE = Pattern.compile("(?s)```java\n(.*?)```");
 
+  private static final Pattern VERSION =
+      Pattern.compile("<artifactId>dfra</artifactId>\\s*<version>([^<]+)</version>");
+
+  private static String read(String file) throws IOException {
+    return Files.readString(Path.of(System.getProperty("dfra.root")).resolve(file));
+  }
+
+  private static String howTo() throws IOException {
+    return read("docs/how-to/test-with-embedded-reggie.md");
+  }
+
   @Test
   void showsTheTestThatRuns() throws IOException {
-    Path root = Path.of(System.getProperty("dfra.root"));
-    Matcher shown =
-        CODE.matcher(Files.readString(root.resolve("docs/how-to/test-with-embedded-reggie.md")));
+    Matcher shown = CODE.matcher(howTo());
     assertThat(shown.find()).as("a block of Java in the how-to").isTrue();
-    assertThat(
-            Files.readString(
-                root.resolve("src/test/java/org/dfra/example/thermometer/ThermometerTest.java")))
+    assertThat(read("src/test/java/org/dfra/example/thermometer/ThermometerTest.java"))
         .endsWith(shown.group(1));
+  }
+
+  @Test
+  void namesTheJarsAsTheyAreBuilt() throws IOException {
+    String build = read("pom.xml");
+    Matcher version = VERSION.matcher(build);
+    assertThat(version.find()).isTrue();
+    for (String module : List.of("dfra-testing", "dfra-activation")) {
+      String named = "<artifactId>" + module + "</artifactId>";
+      assertThat(build).contains("<module>" + module + "</module>");
+      assertThat(read(module + "/pom.xml")).contains(named);
+      assertThat(howTo())
+          .contains(
+              "<groupId>org.dfra</groupId>" + named + "<version>" + version.group(1) + "</version>",
+              "org.dfra:" + module + ":" + version.group(1));
+    }
+    assertThat(EmbeddedReggie.class.getProtectionDomain().getCodeSource().getLocation().getPath())
+        .as("where org.dfra.testing is built")
+        .contains("/dfra-testing/");
   }
 }

@@ -130,7 +130,8 @@ public final class DoctorCommand implements Callable<Integer> {
     return uses;
   }
 
-  private static PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
+  private PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
+    Duration patience = team.patience();
     return new PhoenixCheck.Daemon() {
       @Override
       public String address() {
@@ -144,7 +145,7 @@ public final class DoctorCommand implements Callable<Integer> {
 
       @Override
       public List<GroupStatus> groups() throws RemoteException {
-        return phoenix.admin(DEADLINE).groupStatus();
+        return phoenix.groupStatus(DEADLINE, patience);
       }
 
       @Override

@@ -3,7 +3,6 @@ package org.dfra.app.stop;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.ConnectException;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
@@ -33,6 +32,7 @@ import org.dfra.module.Module;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.call.Refusal;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -166,10 +166,12 @@ public final class StopCommand implements Callable<Integer> {
       for (LocalEffectors.Local each : effectors.all()) {
         round.callLocal(each.path(), () -> call(each.path(), each.way().reach()));
       }
-    } catch (ConnectException e) {
-      LOG.debug("No phoenix runs here, and no robot is known.", e);
     } catch (IOException | ActivationException e) {
-      options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+      if (Refusal.isProvenBy(e)) {
+        LOG.debug("No phoenix runs here, and no robot is known.", e);
+      } else {
+        options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+      }
     }
   }
 

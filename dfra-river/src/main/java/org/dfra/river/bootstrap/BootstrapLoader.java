@@ -40,7 +40,7 @@ final class BootstrapLoader {
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
-      PhoenixProcess phoenix, String robot, Optional<RobotClasses> classes, Patience patience) {
+      PhoenixCalls phoenix, String robot, Optional<RobotClasses> classes, Patience patience) {
     this.admin = phoenix.admin();
     this.system = phoenix.system();
     this.robot = robot;
