@@ -51,6 +51,9 @@ class DriveIT {
   /** As short as a busy machine allows, for those tests that wait for its end. */
   private static final Duration SHORT_LEASE = Duration.ofSeconds(5);
 
+  /** It is renewed before; 0.5 s are for a look every 0.1 s, and for the answer. */
+  private static final Duration LEASE_OVER = SHORT_LEASE.plusMillis(500);
+
   /** After 1 s without a report a link counts as lost; a report is due every 0.1 s. */
   private static final Duration SILENCE = Duration.ofMillis(900);
 
@@ -176,11 +179,13 @@ class DriveIT {
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageContaining("eta/drive is commanded by a client at 127.0.0.1 since");
       ProcessHandle victim = ProcessHandle.of(commander.pid()).orElseThrow();
+      StallProbe.Stopwatch killed = probe.stopwatch();
       victim.destroyForcibly();
       await().atMost(PATIENCE).until(() -> !victim.isAlive());
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
+      WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+      killed.stop().requireWithin("the end of a dead commander's lease", LEASE_OVER);
     }
-    WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();
     }
@@ -194,6 +199,7 @@ class DriveIT {
       assertThat(commander.awaitLine()).isEqualTo("commanding");
       robot.awaitFullSpeed();
       Instant last;
+      StallProbe.Stopwatch suspended = probe.stopwatch();
       WheeledRobot.signal("STOP", commander.pid());
       try {
         wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
@@ -203,8 +209,8 @@ class DriveIT {
                     assertThat(drive.drive().silences())
                         .as("command time-outs of the driver")
                         .isGreaterThan(timeouts));
-        // Nobody renews its lease.
         WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+        suspended.stop().requireWithin("the end of a suspended commander's lease", LEASE_OVER);
         last = wheels.lastMotion();
       } finally {
         WheeledRobot.signal("CONT", commander.pid());

@@ -143,6 +143,7 @@ class SubscriptionIT {
       long pid = phoenix.group("zeta.gps").pid();
       StallProbe.Stopwatch stopped = probe.stopwatch();
       Timing noticed;
+      StallProbe.Stopwatch resumed;
       signal("STOP", pid);
       try {
         await()
@@ -153,12 +154,15 @@ class SubscriptionIT {
         System.out.printf(
             "a stopped server was noticed after %.1f s%n", noticed.took().toMillis() / 1e3);
       } finally {
+        resumed = probe.stopwatch();
         signal("CONT", pid);
       }
       int before = fixes(0);
       await().atMost(PATIENCE).until(() -> subscription.interruptedSince().isEmpty());
       await().atMost(PATIENCE).until(() -> fixes(0) > before);
+      Timing back = resumed.stop();
       noticed.requireWithin("a silent server being reported", REPORTED);
+      back.requireWithin("listening again to a server that was suspended", BACK);
     }
   }
 

@@ -14,9 +14,10 @@ import java.util.function.LongSupplier;
  * distinguished from a program that was kept waiting.
  *
  * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
- * that is a <em>stall</em>: the computer was suspended, swapped, or its host gave it no processor.
- * At the same pace the thread reads how many threads of the whole computer want to run. Where they
- * are more than the processors, each program runs slower by that ratio, without any stall.
+ * that is a <em>stall</em>, if it is more than 5 ms: the computer was suspended, swapped, or its
+ * host gave it no processor. At the same pace the thread reads how many threads of the whole
+ * computer want to run. Where they are more than the processors, each program runs slower by that
+ * ratio, without any stall. {@link Timing} says exactly how a missed bound is judged by both.
  *
  * <pre>
  *   try (StallProbe probe = StallProbe.start()) {

@@ -7,10 +7,27 @@ import java.util.Locale;
 /**
  * How long something took, and how far the computer itself was to blame.
  *
- * <p>A <em>stall</em> is nobody's fault. An <em>overload</em> may come from the tests themselves,
- * several of which run at a time. So a bound that was missed during an overload is no result yet:
- * the test is to be repeated alone, where load excuses nothing. {@code ./dfra test} does that, and
- * promises it with the system property {@value #REPEATS}.
+ * <p>A bound is judged by {@link #requireWithin} in this order; the first line that applies counts:
+ *
+ * <ol>
+ *   <li><b>Kept:</b> it took no longer than the bound. Nothing is printed.
+ *   <li><b>Missed during a stall:</b> what it took less all stalls is within the bound. The test
+ *       passes and prints {@code MISSED DURING A STALL: } with the measurements. Stalls count only
+ *       where their sum is at least 100 ms or a tenth of the bound, so a program that is late by
+ *       itself is not excused by the usual lateness of timers.
+ *   <li><b>Missed during an overload:</b> two or more threads per processor wanted to run on
+ *       average, and what it took less the stalls, divided by that average, is within the bound. An
+ *       overload may come from the tests themselves, several of which run at a time, so this is no
+ *       result yet. Where the property {@value #REPEATS} promises that the missed bound is reported
+ *       by {@code ./dfra test} the test passes and prints {@code MISSED DURING AN OVERLOAD: }. With
+ *       {@code --full} its class is then repeated alone, where load excuses nothing; in the
+ *       everyday tier the closing lines name it. Elsewhere the test fails.
+ *   <li><b>Missed:</b> the test fails with the measurements.
+ * </ol>
+ *
+ * <p>The bound itself is the requirement's, with no more added than the test needs for looking
+ * (say 0.1 s between two looks). How long a test <em>waits</em> for what it measures is another
+ * matter: that may be long, so that what comes too late is still measured.
  *
  * @param took from begin to end, monotonic time
  * @param stalled for how much of it the computer ran no program that was due
@@ -19,8 +36,8 @@ import java.util.Locale;
 public record Timing(Duration took, Duration stalled, double load) {
 
   /**
-   * The system property that is {@code true} where a test that missed a bound during an overload is
-   * going to be repeated alone. Elsewhere load excuses nothing.
+   * The system property that is {@code true} where {@code ./dfra test} looks for bounds that were
+   * missed during an overload. Elsewhere load excuses nothing.
    */
   public static final String REPEATS = "dfra.repeats";
 

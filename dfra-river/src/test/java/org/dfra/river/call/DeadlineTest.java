@@ -160,7 +160,9 @@ class DeadlineTest {
     ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     open.add(mute);
     Service service = proxy(mute.getLocalPort(), 150);
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertNotRun(service);
+    Timing ended = began.stop();
     List<Future<?>> callers = new ArrayList<>();
     for (int i = 0; i < 40; i++) {
       callers.add(threads.submit(() -> assertNotRun(service)));
@@ -179,6 +181,7 @@ class DeadlineTest {
     assertThat(export(20_000).echo("other peers")).isEqualTo("other peers");
     // When the peer goes away its threads come free, and it is tried again.
     mute.close();
+    ended.requireWithin("a call with a deadline of 150 ms", MARGIN.plusMillis(150));
   }
 
   @Test
@@ -194,17 +197,18 @@ class DeadlineTest {
     blocked.await();
     ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     open.add(mute);
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(() -> proxy(mute.getLocalPort(), deadline.toMillis()).echo("x"))
         .withMessageContaining("got no answer within 2000 ms; it has not run");
-    assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(deadline.dividedBy(2));
+    Timing ended = began.stop();
 
     assertThatExceptionOfType(TimeoutException.class)
         .as("the other one, a second longer")
         .isThrownBy(() -> call.get(1, TimeUnit.SECONDS));
     release.countDown();
     assertThat(call.get()).isNull();
+    ended.requireWithin("a call to a peer that cannot be connected to", MARGIN.plusSeconds(2));
   }
 
   @Test
@@ -346,9 +350,11 @@ class DeadlineTest {
     assertThat(read).isEqualTo(service).hasSameHashCodeAs(service);
     assertThat(Proxy.getInvocationHandler(read)).isInstanceOf(DeadlineInvocationHandler.class);
     Service constrained = (Service) ((RemoteMethodControl) read).setConstraints(null);
+    StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(constrained::block)
         .withMessageContaining("300 ms");
+    began.stop().requireWithin("a call with a deadline of 300 ms", MARGIN.plusMillis(300));
   }
 
   @Test

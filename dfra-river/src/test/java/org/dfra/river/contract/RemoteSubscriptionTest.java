@@ -47,6 +47,11 @@ class RemoteSubscriptionTest {
   /** What is awaited; a bound that was missed is judged beside the probe's measurements. */
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
+  private static final Duration LONGEST_LEASE = Duration.ofSeconds(4);
+
+  /** The test looks ten times a second; the rest is for the timer. */
+  private static final Duration NOTICED = Duration.ofMillis(300);
+
   @TempDir Path folder;
 
   private final AtomicReference<GPSServer> server = new AtomicReference<>();
@@ -99,23 +104,31 @@ class RemoteSubscriptionTest {
   @Test
   void endAtTheServerWhenTheClientIsDead() throws Exception {
     Path configuration = folder.resolve("short.config");
-    Files.writeString(configuration, "org.dfra.river.lease { longestLease = 4000L; }");
+    Files.writeString(
+        configuration,
+        "org.dfra.river.lease { longestLease = " + LONGEST_LEASE.toMillis() + "L; }");
     server.set(Served.serve(UUID.randomUUID(), configuration.toString(), null));
     RemoteModuleListener deaf = delivery -> {};
     Exporter exporter =
         new BasicJeriExporter(Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(), false, false);
     ModuleListener stub = (ModuleListener) exporter.export(deaf);
     RemoteGPSSensor remote = (RemoteGPSSensor) server.get().getProxy();
-    // What a client's proxy would renew, nobody renews.
-    Subscription unused = remote.subscribe(stub, DeliveryPolicy.latestReading());
-    ModuleLease unrenewed = remote.use(Duration.ofSeconds(3));
-    assertThat(gps().leases().clients()).isEqualTo(2);
-    assertThat(gps().events().entries()).hasSize(1);
-    await().atMost(PATIENCE).until(() -> gps().leases().clients() == 0);
-    assertThat(gps().events().entries()).isEmpty();
-    assertThat(gps().readiness()).isEqualTo(Readiness.READY);
-    assertThat(unrenewed.isLive()).isFalse();
-    assertThat(exporter.unexport(true)).isTrue();
+    try (StallProbe probe = StallProbe.start()) {
+      // What a client's proxy would renew, nobody renews.
+      Subscription unused = remote.subscribe(stub, DeliveryPolicy.latestReading());
+      ModuleLease unrenewed = remote.use(Duration.ofSeconds(3));
+      StallProbe.Stopwatch granted = probe.stopwatch();
+      assertThat(gps().leases().clients()).isEqualTo(2);
+      assertThat(gps().events().entries()).hasSize(1);
+      await().atMost(PATIENCE).until(() -> gps().leases().clients() == 0);
+      Timing over = granted.stop();
+      assertThat(gps().events().entries()).isEmpty();
+      assertThat(gps().readiness()).isEqualTo(Readiness.READY);
+      assertThat(unrenewed.isLive()).isFalse();
+      assertThat(exporter.unexport(true)).isTrue();
+      over.requireWithin(
+          "the end of leases of 4 s that nobody renews", LONGEST_LEASE.plus(NOTICED));
+    }
   }
 
   @Test

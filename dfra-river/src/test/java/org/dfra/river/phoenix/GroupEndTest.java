@@ -7,11 +7,15 @@ import static org.awaitility.Awaitility.await;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownGroupException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.dfra.river.phoenix.GroupStatus.State;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -26,6 +30,19 @@ class GroupEndTest extends GroupFixture {
 
   /** Of one stopped process; of three, one after the other, it would be three times as long. */
   private static final long UNEXPORT_MILLIS = FULL ? 10_000 : 4000;
+
+  /** Phoenix' three exporters wait for calls under way, for a second each. */
+  private static final Duration UNEXPORTED = Duration.ofSeconds(3);
+
+  /** The test looks ten times a second; the rest is for the answer. */
+  private static final Duration NOTICED = Duration.ofMillis(500);
+
+  private final StallProbe probe = StallProbe.start();
+
+  @AfterEach
+  void closeProbe() {
+    probe.close();
+  }
 
   @Test
   void killedWhileItStartsTheCallerIsToldAndTheNextActivationWorks() throws Exception {
@@ -165,6 +182,7 @@ class GroupEndTest extends GroupFixture {
     await("hold-off")
         .atMost(InVmPhoenix.PATIENCE)
         .until(() -> phoenix.status(1).heldOffUntil() != null);
+    StallProbe.Stopwatch began = probe.stopwatch();
     GroupStatus heldOff = phoenix.status(1);
     assertThat(heldOff.incarnation()).as("starts").isEqualTo(3);
     assertThat(heldOff.recentCrashes()).isEqualTo(3);
@@ -176,10 +194,12 @@ class GroupEndTest extends GroupFixture {
     await("the end of the hold-off")
         .atMost(InVmPhoenix.PATIENCE)
         .until(() -> phoenix.status(1).heldOffUntil() == null);
+    Timing over = began.stop();
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> broken.activate(false))
         .withMessageContaining("ended (exit code 1)");
     assertThat(phoenix.status(1).incarnation()).as("starts after it").isEqualTo(4);
+    over.requireWithin("the end of a hold-off", NOTICED.plusMillis(HOLD_OFF_MILLIS));
   }
 
   @Test
@@ -207,13 +227,16 @@ class GroupEndTest extends GroupFixture {
       pids.add(phoenix.status(index).pid());
       new ProcessBuilder("kill", "-STOP", Long.toString(pids.get(i))).start().waitFor();
     }
-    long began = System.nanoTime();
+    StallProbe.Stopwatch began = probe.stopwatch();
     phoenix.close();
-    long millis = (System.nanoTime() - began) / 1_000_000;
+    Timing ended = began.stop();
     assertThat(pids).allSatisfy(pid -> assertThat(ProcessHandle.of(pid)).isEmpty());
-    assertThat(millis)
-        .as("ms for three stopped processes")
-        .isBetween(UNEXPORT_MILLIS - 100, UNEXPORT_MILLIS * 5 / 2);
+    assertThat(ended.took())
+        .as("phoenix is patient with stopped processes")
+        .isGreaterThan(Duration.ofMillis(UNEXPORT_MILLIS - 100));
+    ended.requireWithin(
+        "the end of phoenix and of three stopped processes",
+        UNEXPORTED.plusMillis(UNEXPORT_MILLIS));
   }
 
   @Test
