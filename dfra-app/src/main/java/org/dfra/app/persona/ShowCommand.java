@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.app.module.ModuleView;
 import org.dfra.app.team.Seen;
@@ -13,7 +14,9 @@ import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
+import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Persona;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
@@ -41,12 +44,14 @@ final class ShowCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     try (Team team = options.open()) {
-      List<Persona> all = team.surveyed().personas();
+      ModuleDirectory directory = team.surveyed();
+      if (find(directory.personas()).isEmpty()) { // it may be starting
+        List<ModuleListing<Module>> unused =
+            team.await(ModuleQuery.of(Module.class).robot(robot), each -> true);
+      }
+      List<Persona> all = directory.personas();
       Persona persona =
-          all.stream()
-              .filter(each -> each.robot().equals(robot))
-              .findFirst()
-              .orElseThrow(() -> unknown(all.stream().map(Persona::robot).toList()));
+          find(all).orElseThrow(() -> unknown(all.stream().map(Persona::robot).toList()));
       RobotView view = RobotView.of(persona);
       options
           .answer()
@@ -55,6 +60,10 @@ final class ShowCommand implements Callable<Integer> {
               lines(view, persona.modules()));
       return ExitCode.WELL;
     }
+  }
+
+  private Optional<Persona> find(List<Persona> all) {
+    return all.stream().filter(each -> each.robot().equals(robot)).findFirst();
   }
 
   private CommandFailure unknown(List<String> names) {
