@@ -65,12 +65,14 @@ class RecruitVerbsTest {
   private static InProcessCommand recruit(String... args) {
     List<String> all = new ArrayList<>(List.of("recruit"));
     all.addAll(List.of(args));
+    if (all.stream().noneMatch(each -> each.startsWith("--wait="))) {
+      all.add("--wait=20");
+    }
     all.addAll(
         List.of(
             "--team=",
             "--locator=127.0.0.1:" + REGGIE.port(),
             "--host=127.0.0.1",
-            "--wait=20",
             "--state=" + folder.resolve("state")));
     return InProcessCommand.run(all.toArray(String[]::new));
   }
@@ -100,7 +102,7 @@ class RecruitVerbsTest {
   @Test
   void aRobotThatIsNotThereIsToldInOneSentenceAndNobodyIsLetGo() {
     for (String verb : List.of("status", "resume")) {
-      InProcessCommand outcome = recruit(verb, "uav", "ugv7");
+      InProcessCommand outcome = recruit(verb, "uav", "ugv7", "--wait=2");
       assertThat(outcome.code()).isEqualTo(ExitCode.NOT_FOUND);
       assertThat(outcome.err())
           .isEqualTo(

@@ -14,7 +14,9 @@ import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
+import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Persona;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
@@ -45,7 +47,14 @@ final class ShowCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     try (Team team = options.open()) {
-      List<Persona> all = team.surveyed().personas();
+      ModuleDirectory directory = team.surveyed();
+      if (Namesakes.choose(robot, directory.personas()).isEmpty()) { // it may be starting
+        List<ModuleListing<Module>> unused =
+            team.await(
+                ModuleQuery.of(Module.class).robot(Namesakes.name(robot)),
+                each -> Namesakes.isAtPlace(robot, each));
+      }
+      List<Persona> all = directory.personas();
       Persona persona =
           Namesakes.choose(robot, all)
               .orElseThrow(() -> unknown(all.stream().map(Persona::robot).distinct().toList()));

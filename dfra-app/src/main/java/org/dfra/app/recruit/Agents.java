@@ -72,7 +72,7 @@ final class Agents {
   private static List<ModuleListing<Recruiting>> in(Team team, List<String> wanted)
       throws InterruptedException {
     return RobotModules.of(
-        team.surveyed(),
+        team,
         ModuleQuery.of(Recruiting.class),
         wanted,
         "recruitment agent",

@@ -48,7 +48,7 @@ final class Searches {
   List<ModuleListing<RasterSearch>> in(Team team) throws InterruptedException {
     List<String> wanted = wanted(); // it may be refused before anything is awaited
     return RobotModules.of(
-        team.surveyed(),
+        team,
         ModuleQuery.of(RasterSearch.class),
         wanted,
         "RasterSearch",

@@ -78,6 +78,18 @@ public final class Namesakes {
     return hosts.size() + " robots are named " + robot + ", on " + String.join(" and ", hosts);
   }
 
+  /** The robot's name in {@code robot@host}, or in {@code robot}. */
+  public static String name(String text) {
+    int at = text.indexOf('@');
+    return at < 0 ? text : text.substring(0, at);
+  }
+
+  /** Whether a module is where {@code robot@host} says; {@code robot} alone says nothing. */
+  public static boolean isAtPlace(String text, ModuleListing<?> module) {
+    int at = text.indexOf('@');
+    return at < 0 || module.host().equals(text.substring(at + 1));
+  }
+
   /**
    * Modules of one robot.
    *
@@ -87,12 +99,9 @@ public final class Namesakes {
    */
   public static <M extends Module> List<ModuleListing<M>> choose(
       String text, Function<String, List<ModuleListing<M>>> search) {
-    int at = text.indexOf('@');
-    String robot = at < 0 ? text : text.substring(0, at);
+    String robot = name(text);
     List<ModuleListing<M>> found =
-        search.apply(robot).stream()
-            .filter(each -> at < 0 || each.host().equals(text.substring(at + 1)))
-            .toList();
+        search.apply(robot).stream().filter(each -> isAtPlace(text, each)).toList();
     List<String> hosts =
         found.stream()
             .filter(each -> !each.stale())

@@ -16,7 +16,8 @@ public final class RobotModules {
   private RobotModules() {}
 
   /**
-   * Finds them.
+   * Finds them; those that are not there yet are waited for until the command's waiting time is
+   * over.
    *
    * @param any all of the kind
    * @param robots names, as {@link Namesakes#choose} takes them; all robots where there is none
@@ -27,20 +28,20 @@ public final class RobotModules {
    * @throws CommandFailure if there is none, or a robot that was named has none
    */
   public static <M extends Module> List<ModuleListing<M>> of(
-      ModuleDirectory directory,
-      ModuleQuery<M> any,
-      List<String> robots,
-      String kind,
-      String remedy) {
+      Team team, ModuleQuery<M> any, List<String> robots, String kind, String remedy)
+      throws InterruptedException {
+    ModuleDirectory directory = team.surveyed();
     List<ModuleListing<M>> found = new ArrayList<>();
     for (String robot : robots) {
+      List<ModuleListing<M>> unused =
+          team.await(any.robot(Namesakes.name(robot)), each -> Namesakes.isAtPlace(robot, each));
       found.add(
           Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
               .findFirst()
               .orElseThrow(() -> hasNone(robot, kind)));
     }
     if (robots.isEmpty()) {
-      found.addAll(directory.find(any));
+      found.addAll(team.await(any, each -> true));
       found.sort(Comparator.comparing(ModuleListing::path));
       if (found.isEmpty()) {
         throw new CommandFailure(

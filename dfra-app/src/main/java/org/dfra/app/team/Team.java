@@ -3,31 +3,43 @@ package org.dfra.app.team;
 import static java.util.stream.Collectors.joining;
 
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
+import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.UnreadableModule;
 
-/** The team's robots, as one command sees them. Closing it ends the search. */
+/**
+ * The team's robots, as one command sees them. The command waits for lookup services and modules
+ * until its own time is over, which begins here: a robot that is starting is found as soon as it is
+ * there. Closing it ends the search.
+ */
 public final class Team implements AutoCloseable {
 
   /** Registrars that multicast reaches answer at once; this is for a busy one. */
   private static final Duration NAMESAKES = Duration.ofMillis(500);
 
   private final JiniModuleDirectory directory;
-  private final Duration wait;
+  private final long end; // of the command's waiting time, by System.nanoTime
   private final Answer answer;
   private final String asked;
+  private final Set<String> remarked = new HashSet<>();
 
   Team(JiniModuleDirectory directory, Duration wait, Answer answer, String asked) {
     this.directory = directory;
-    this.wait = wait;
+    this.end = System.nanoTime() + wait.toNanos();
     this.answer = answer;
     this.asked = asked;
   }
@@ -39,17 +51,54 @@ public final class Team implements AutoCloseable {
    * @throws CommandFailure if no lookup service was found at all
    */
   public JiniModuleDirectory surveyed() throws InterruptedException {
-    List<String> silent = directory.awaitFirstLook(wait);
+    List<String> silent = directory.awaitFirstLook(left());
     if (directory.registrars() == 0) {
       throw new CommandFailure(ExitCode.NOT_FOUND, noLookupService());
     }
-    silent.forEach(
-        locator ->
-            answer.remark(
-                "no lookup service answers at "
-                    + locator
-                    + "; bring its robot up, or mend the locator"));
+    silent.stream()
+        .filter(remarked::add)
+        .forEach(
+            locator ->
+                answer.remark(
+                    "no lookup service answers at "
+                        + locator
+                        + "; bring its robot up, or mend the locator"));
     return directory;
+  }
+
+  /** What is left of the command's waiting time; never negative. */
+  private Duration left() {
+    return Duration.ofNanos(Math.max(0, end - System.nanoTime()));
+  }
+
+  /**
+   * The modules that match, once one of them is meant or the command's waiting time is over.
+   *
+   * @param isMeant which of those that match are waited for
+   */
+  public <M extends Module> List<ModuleListing<M>> await(
+      ModuleQuery<M> query, Predicate<ModuleListing<M>> isMeant) throws InterruptedException {
+    CountDownLatch found = new CountDownLatch(1);
+    DirectoryListener<M> finder =
+        new DirectoryListener<M>() {
+          @Override
+          public void matched(ModuleListing<M> listing) {
+            if (isMeant.test(listing)) {
+              found.countDown();
+            }
+          }
+
+          @Override
+          public void changed(ModuleListing<M> before, ModuleListing<M> now) {
+            matched(now);
+          }
+        };
+    if (directory.find(query).stream().noneMatch(isMeant)) {
+      try (Watch unused = directory.listen(query, finder)) {
+        boolean unusedToo = found.await(left().toNanos(), TimeUnit.NANOSECONDS);
+      }
+    }
+    return directory.find(query);
   }
 
   private String noLookupService() {
@@ -59,8 +108,9 @@ public final class Team implements AutoCloseable {
   }
 
   /**
-   * The module of that name. Other robots may have the same name, so one that is found at once is
-   * not taken before others had a moment to be found too.
+   * The module of that name, which is waited for until the command's waiting time is over. Other
+   * robots may have the same name, so one that is found at once is not taken before others had a
+   * moment to be found too.
    *
    * @param text {@code robot/module}, {@code robot@host/module} where several robots have that
    *     name, or the module alone where only one robot has it
@@ -68,19 +118,20 @@ public final class Team implements AutoCloseable {
    */
   public ModuleListing<Module> module(String text) throws InterruptedException {
     ModuleName name = ModuleName.of(text);
-    if (name.robot() != null && directory.findFirst(name.query(), wait).isPresent()) {
+    if (name.robot() == null) {
+      surveyed(); // another robot may have such a module too
+      refuseUnreadableUnlessFound(name);
+    }
+    List<ModuleListing<Module>> found =
+        await(name.query(), each -> !name.at(List.of(each)).isEmpty());
+    if (!name.at(found).isEmpty()) {
+      Duration left = left();
       List<String> unused =
-          directory.awaitFirstLook(wait.compareTo(NAMESAKES) < 0 ? wait : NAMESAKES);
-      List<ModuleListing<Module>> found = directory.find(name.query());
-      if (!name.at(found).isEmpty()) {
-        return name.choose(found);
-      }
+          directory.awaitFirstLook(left.compareTo(NAMESAKES) < 0 ? left : NAMESAKES);
+      List<ModuleListing<Module>> now = directory.find(name.query());
+      return name.choose(name.at(now).isEmpty() ? found : now);
     }
     surveyed();
-    List<ModuleListing<Module>> found = directory.find(name.query());
-    if (!name.at(found).isEmpty()) {
-      return name.choose(found);
-    }
     refuseUnreadable(name);
     throw new CommandFailure(ExitCode.NOT_FOUND, "there is no module " + text + hint(name, found));
   }
@@ -112,6 +163,12 @@ public final class Team implements AutoCloseable {
                         + "; rename one of them, and until then name a module as "
                         + robot
                         + "@HOST/MODULE"));
+  }
+
+  private void refuseUnreadableUnlessFound(ModuleName name) {
+    if (name.at(directory.find(name.query())).isEmpty()) {
+      refuseUnreadable(name);
+    }
   }
 
   /** Says why a module that is there cannot be used here. */

@@ -25,9 +25,9 @@ import java.util.Locale;
  *   <li><b>Missed:</b> the test fails with the measurements.
  * </ol>
  *
- * <p>The bound itself is the requirement's, with no more added than the test needs for looking
- * (say 0.1 s between two looks). How long a test <em>waits</em> for what it measures is another
- * matter: that may be long, so that what comes too late is still measured.
+ * <p>The bound itself is the requirement's, with no more added than the test needs for looking (say
+ * 0.1 s between two looks). How long a test <em>waits</em> for what it measures is another matter:
+ * that may be long, so that what comes too late is still measured.
  *
  * @param took from begin to end, monotonic time
  * @param stalled for how much of it the computer ran no program that was due
