@@ -39,7 +39,8 @@ class DemoTimesTest {
     Figure stated =
         new Figure("readings of the odometry in 1000 m", 20, Double.POSITIVE_INFINITY, "B/s");
     Figure foldedStated =
-        new Figure("share of the region that no robot of the 2 saw", 0.25, Double.POSITIVE_INFINITY, "");
+        new Figure(
+            "share of the region that no robot of the 2 saw", 0.25, Double.POSITIVE_INFINITY, "");
     Figure plain = new Figure("waypoints to be driven to again, of 12", 0, 0, "");
     Figure small = new Figure("same-VM proxy call over the direct call", 0.00012, 0.5, "µs");
     assertThat(read(folded, stated, foldedStated, plain, small, LATE).targets())

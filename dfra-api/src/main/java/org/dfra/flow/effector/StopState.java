@@ -7,8 +7,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether an effector is stopped for an emergency, see {@link Effector#emergencyStop}. Two are equal
- * where all but their ages are.
+ * Whether an effector is stopped for an emergency, see {@link Effector#emergencyStop}. Two are
+ * equal where all but their ages are.
  *
  * @param latched whether it is: then it obeys nobody until it is released
  * @param by who stopped it, or released it last, for people; null where nobody ever did, or nobody

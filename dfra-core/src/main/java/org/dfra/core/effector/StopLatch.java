@@ -120,9 +120,7 @@ public final class StopLatch {
     Latched latched = now;
     StopState stop = latched.stop();
     @Nullable Duration age =
-        stop.since() == null
-            ? null
-            : Duration.ofNanos(Math.max(0, time.nanos() - latched.nanos()));
+        stop.since() == null ? null : Duration.ofNanos(Math.max(0, time.nanos() - latched.nanos()));
     @Nullable String why = unkept;
     @Nullable String fault = why == null ? stop.fault() : join(stop.fault(), why);
     return new StopState(stop.latched(), stop.by(), stop.since(), stop.resting(), fault, age);

@@ -271,8 +271,7 @@ public final class LeaseBook implements AutoCloseable {
       long now = scheduler.nanos();
       return entries.entrySet().stream()
           .map(each -> status(each.getKey(), each.getValue(), now))
-          .sorted(
-              Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::id))
+          .sorted(Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::id))
           .toList();
     }
   }

@@ -41,12 +41,7 @@ class StopLatchTest {
 
   private StopLatch latch(StateStore state, BootId boot) {
     return new StopLatch(
-        "atrv1/drive",
-        state,
-        () -> wall,
-        time,
-        boot,
-        LoggerFactory.getLogger("dfra.atrv1.drive"));
+        "atrv1/drive", state, () -> wall, time, boot, LoggerFactory.getLogger("dfra.atrv1.drive"));
   }
 
   @Test

@@ -88,8 +88,7 @@ class LeaseBookTest {
                 Instant.EPOCH,
                 Duration.ofSeconds(4),
                 Duration.ofSeconds(6)),
-            new LeaseStatus(
-                near, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
+            new LeaseStatus(near, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
     assertThat(book.cancel(near)).isTrue();
     time.step(Duration.ofSeconds(6));
     assertThat(book.leases()).isEmpty();

@@ -17,18 +17,18 @@ import org.dfra.drivers.link.Ticker;
  *
  * <ul>
  *   <li>A <b>receiver</b> cannot report a date before {@link #RELEASED}, since this program did not
- *       exist then. Such a date is moved later by the least multiple of 1024 weeks that brings it to
- *       that day or a later one. Any other date is believed. The computer's clock has no part in
+ *       exist then. Such a date is moved later by the least multiple of 1024 weeks that brings it
+ *       to that day or a later one. Any other date is believed. The computer's clock has no part in
  *       this: it may be at 1970, or years wrong, or behind the receiver.
  *   <li>A <b>recording</b> ({@code replay:}) is of any year. Its dates are left as they were
  *       recorded.
- *   <li>In a <b>simulation</b>, which is of any year too, the simulated clock is right. A date up to
- *       512 weeks before it, or later than it, is believed; an earlier one is brought within 512
+ *   <li>In a <b>simulation</b>, which is of any year too, the simulated clock is right. A date up
+ *       to 512 weeks before it, or later than it, is believed; an earlier one is brought within 512
  *       weeks of it.
  * </ul>
  *
- * <p>Only dates that a receiver has reported are corrected, never those of the computer's clock that
- * stand in for one that is not known yet.
+ * <p>Only dates that a receiver has reported are corrected, never those of the computer's clock
+ * that stand in for one that is not known yet.
  */
 public final class WeekRollover {
 

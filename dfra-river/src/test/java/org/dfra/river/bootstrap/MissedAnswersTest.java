@@ -82,8 +82,7 @@ class MissedAnswersTest {
   private final List<BringUpStep> steps = new ArrayList<>();
 
   private Patience patience() {
-    return new Patience(
-        TIME, nanos::get, () -> nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(50)));
+    return new Patience(TIME, nanos::get, () -> nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(50)));
   }
 
   private List<Service> bringUp(PlayedPhoenix phoenix) throws Exception {
@@ -118,9 +117,7 @@ class MissedAnswersTest {
     assertThat(bringUp(phoenix)).extracting(Service::name).containsExactly("r/registrar", "r/gps");
     assertThat(steps)
         .extracting(BringUpStep::name, BringUpStep::kind)
-        .containsExactly(
-            tuple("r/registrar", Kind.STARTED),
-            tuple("r/gps", Kind.STARTED));
+        .containsExactly(tuple("r/registrar", Kind.STARTED), tuple("r/gps", Kind.STARTED));
     assertThat(phoenix.groups()).as("none twice").containsExactly("r.lookup", "r.one");
     assertThat(phoenix.objects()).containsExactly(BootstrapLoader.REGGIE, "a.Server");
     assertThat(PlayedPhoenix.Registrar.port).isEqualTo(4161);
@@ -141,9 +138,7 @@ class MissedAnswersTest {
     phoenix.miss(MISSES);
     assertThat(Inventory.of(phoenix.calls().admin(), patience()))
         .extracting(ServiceGroup::name, ServiceGroup::registrarRuns, ServiceGroup::running)
-        .containsExactly(
-            tuple("lookup", true, Set.of()),
-            tuple("one", false, Set.of("gps")));
+        .containsExactly(tuple("lookup", true, Set.of()), tuple("one", false, Set.of("gps")));
     assertThat(phoenix.calls("groupStatus")).isGreaterThan(MISSES);
   }
 

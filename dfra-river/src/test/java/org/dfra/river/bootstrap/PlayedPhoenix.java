@@ -202,8 +202,7 @@ final class PlayedPhoenix {
             : new Class<?>[] {Remote.class};
     return new MarshalledObject<>(
         (Remote)
-            Proxy.newProxyInstance(
-                PlayedPhoenix.class.getClassLoader(), types, new Registrar()));
+            Proxy.newProxyInstance(PlayedPhoenix.class.getClassLoader(), types, new Registrar()));
   }
 
   private Map<ActivationID, ActivationDesc> in(ActivationGroupID group)

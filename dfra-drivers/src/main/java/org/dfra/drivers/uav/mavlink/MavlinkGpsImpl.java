@@ -74,8 +74,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
 
   private final ReceiverAttributes attributes = new ReceiverAttributes(SENSOR);
-  private final WeekRollover rollover =
-      WeekRollover.of(clock(), LinkSettings.address(settings()));
+  private final WeekRollover rollover = WeekRollover.of(clock(), LinkSettings.address(settings()));
   private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
 
   /**
