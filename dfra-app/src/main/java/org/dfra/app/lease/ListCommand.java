@@ -58,7 +58,7 @@ final class ListCommand implements Callable<Integer> {
       for (ModuleListing<Module> each : asked(team)) {
         try {
           for (LeaseStatus lease : Administration.of(each).leases()) {
-            leases.add(LeaseView.of(each.path(), lease, holders.of(lease.id())));
+            leases.add(LeaseView.of(each.path(), lease, holders.of(lease.handle())));
           }
         } catch (RemoteException e) {
           if (module != null) {

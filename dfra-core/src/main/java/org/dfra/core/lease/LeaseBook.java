@@ -16,6 +16,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.time.Scheduler;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
  * when its time is, not when somebody asks: its end is noticed by the scheduler.
+ *
+ * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel the
+ * lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
  *
  * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
  * ends.
@@ -85,6 +89,7 @@ public final class LeaseBook implements AutoCloseable {
 
   /** One lease. */
   private static final class Entry {
+    final LeaseHandle handle;
     final Holder holder;
     final @Nullable String host;
     final Instant since;
@@ -94,11 +99,13 @@ public final class LeaseBook implements AutoCloseable {
     @Nullable Task expiry; // guarded by entries; null where nobody need renew
 
     Entry(
+        UUID id,
         Holder holder,
         @Nullable String host,
         Instant since,
         Runnable whenOver,
         Runnable whenCancelled) {
+      this.handle = LeaseHandle.of(id);
       this.holder = holder;
       this.host = host;
       this.since = since;
@@ -143,7 +150,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = new Entry(holder, host, clock.instant(), whenOver, whenCancelled);
+      Entry entry = new Entry(id, holder, host, clock.instant(), whenOver, whenCancelled);
       extend(id, entry, asked); // first: what cannot be ended in time is not granted
       entries.put(id, entry);
     }
@@ -170,7 +177,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      entries.put(id, new Entry(holder, null, clock.instant(), whenOver, whenCancelled));
+      entries.put(id, new Entry(id, holder, null, clock.instant(), whenOver, whenCancelled));
     }
     tell();
     return id;
@@ -237,6 +244,19 @@ public final class LeaseBook implements AutoCloseable {
     return true;
   }
 
+  /** The same, by what listings show of it. */
+  public boolean revoke(LeaseHandle handle) {
+    Optional<UUID> id;
+    synchronized (entries) {
+      id =
+          entries.entrySet().stream()
+              .filter(each -> each.getValue().handle.equals(handle))
+              .map(Map.Entry::getKey)
+              .findFirst();
+    }
+    return id.isPresent() && revoke(id.get());
+  }
+
   /** Long enough for whoever renews it to hear why that fails. */
   private void remember(UUID id) {
     revoked.add(id);
@@ -260,20 +280,17 @@ public final class LeaseBook implements AutoCloseable {
   /** Every lease there is now, the oldest first. */
   public List<LeaseStatus> leases() {
     synchronized (entries) {
-      return entries.entrySet().stream()
-          .map(each -> status(each.getKey(), each.getValue()))
-          .sorted(Comparator.comparing(LeaseStatus::since).thenComparing(LeaseStatus::id))
+      return entries.values().stream()
+          .map(this::status)
+          .sorted(Comparator.comparing(LeaseStatus::since).thenComparing(LeaseStatus::handle))
           .toList();
     }
   }
 
-  private LeaseStatus status(UUID id, Entry entry) {
-    return new LeaseStatus(
-        id,
-        entry.holder,
-        entry.host,
-        entry.since,
-        entry.expiry == null ? null : Duration.ofNanos(Math.max(0, entry.end - scheduler.nanos())));
+  private LeaseStatus status(Entry each) {
+    @Nullable Duration left =
+        each.expiry == null ? null : Duration.ofNanos(Math.max(0, each.end - scheduler.nanos()));
+    return new LeaseStatus(each.handle, each.holder, each.host, each.since, left);
   }
 
   /** Whether there is such a lease. */

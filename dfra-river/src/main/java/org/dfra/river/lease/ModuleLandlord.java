@@ -170,7 +170,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return new UUID(cookie.getMostSignificantBits(), cookie.getLeastSignificantBits());
   }
 
-  /** What a lease is named by in the module's {@link LeaseBook}. */
+  /** What a lease is named by in the module's {@link LeaseBook}: a secret of its holder. */
   public static UUID id(Lease lease) {
     return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }
