@@ -51,7 +51,7 @@ public record AddressRange(InetAddress network, int prefix) {
   private static InetAddress numeric(String address, String whole) {
     boolean isNumeric =
         address.matches("[0-9]{1,3}(\\.[0-9]{1,3}){3}")
-            || (address.indexOf(':') >= 0 && address.matches("[0-9A-Fa-f:.]+"));
+            || (address.indexOf(':') >= 0 && address.matches("[0-9A-Fa-f:][0-9A-Fa-f:.]*"));
     if (!isNumeric) {
       throw fault(whole);
     }
