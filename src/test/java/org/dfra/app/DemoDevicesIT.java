@@ -33,13 +33,13 @@ class DemoDevicesIT extends DemoPlay {
         "cold start to every device working and shown",
         "drive's last command to the robot standing");
 
-    String html = Files.readString(folder.resolve("report/report.html"));
+    String html = Files.readString(report().resolve("report.html"));
     assertThat(html).contains("Where it went", "drive killed", "<img src=\"data:image/png;base64,");
-    try (var files = Files.list(folder.resolve("report"))) {
+    try (var files = Files.list(report())) {
       assertThat(files.map(file -> file.getFileName().toString()))
           .contains("truth.csv", "atrv1-drive.csv", "atrv1-laser.csv", "atrv1-thermal.csv");
     }
-    assertThat(Files.readAllLines(folder.resolve("report/atrv1-odometry.csv")))
+    assertThat(Files.readAllLines(report().resolve("atrv1-odometry.csv")))
         .as("readings of the odometry")
         .hasSizeGreaterThan(100);
   }

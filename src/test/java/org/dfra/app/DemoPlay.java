@@ -10,11 +10,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Runs a demonstration as a user runs it. In full its times are judged too, and nothing else runs
- * beside it; in the everyday tier it shares the computer, and only what must be true is judged.
+ * Runs a demonstration as a user runs it. In full its times are judged too: a missed one fails,
+ * unless the computer stalled or was overloaded meanwhile, in which case the demonstration is
+ * played once more. In the everyday tier it shares the computer, and only what must be true is
+ * judged.
  */
 abstract class DemoPlay {
 
@@ -33,61 +37,95 @@ abstract class DemoPlay {
 
   @TempDir Path folder;
 
+  /** What the last run wrote is in this folder, one for each run. */
+  private Path played = Path.of("not played yet");
+
   final void play(String name, String... story) throws Exception {
     String unused = play(name, List.of(), story);
   }
 
+  /** The folder of the last run's report. */
+  final Path report() {
+    return played.resolve("report");
+  }
+
   /**
-   * Runs it and looks at what it says, records, answers and leaves behind.
+   * Runs it and looks at what it says, records, answers and leaves behind; in full at its times
+   * too.
    *
    * @return what it said, in one line
    */
   final String play(String name, List<String> options, String... story) throws Exception {
-    Path temp = Files.createDirectory(folder.resolve("tmp"));
-    Path csv = folder.resolve("figures.csv");
-    String said;
-    try (MarkedProcesses processes = new MarkedProcesses(folder, "-Djava.io.tmpdir=" + temp)) {
+    try (StallProbe probe = StallProbe.start()) {
+      StallProbe.Stopwatch first = probe.stopwatch();
+      String out = run("first", name, options, story);
+      Timing run = first.stop();
+      List<String> excuses = IS_STRICT ? DemoTimes.of(out).excuses(run) : List.of();
+      if (!excuses.isEmpty()) {
+        excuses.forEach(each -> System.out.println(each + "; played once more"));
+        StallProbe.Stopwatch second = probe.stopwatch();
+        out = run("second", name, options, story);
+        run = second.stop();
+      }
+      if (IS_STRICT) {
+        DemoTimes.of(out).require(run);
+      }
+      return inOneLine(out);
+    }
+  }
+
+  private static String inOneLine(String out) {
+    return out.replaceAll("\\s+", " ");
+  }
+
+  /**
+   * One run.
+   *
+   * @param run names its folder
+   * @return what it said
+   */
+  private String run(String run, String name, List<String> options, String... story)
+      throws Exception {
+    played = Files.createDirectory(folder.resolve(run));
+    Path temp = Files.createDirectory(played.resolve("tmp"));
+    Path csv = played.resolve("figures.csv");
+    Outcome outcome;
+    try (MarkedProcesses processes = new MarkedProcesses(played, "-Djava.io.tmpdir=" + temp)) {
       List<String> arguments = new ArrayList<>(List.of("demo", name, "--record=" + csv));
-      arguments.add("--report=" + folder.resolve("report"));
+      arguments.add("--report=" + report());
       if (IS_STRICT) {
         arguments.add("--strict");
       }
       arguments.addAll(options);
-      Outcome outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
-      said = outcome.out().replaceAll("\\s+", " ");
+      outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
 
       assertThat(outcome.out() + outcome.err()).doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
-      assertStory(said, story);
+      assertStory(inOneLine(outcome.out()), story);
       assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))
           .as("lines that are wider than %d columns", WIDTH)
           .isEmpty();
-      List<String> figures =
-          outcome
-              .out()
-              .lines()
-              .dropWhile(line -> !line.equals("Measured"))
-              .takeWhile(line -> !line.isEmpty())
-              .toList();
+      List<String> figures = DemoTimes.lines(outcome.out());
       assertThat(figures.stream().filter(line -> line.length() > TABLE))
           .as("figures that are wider than %d columns", TABLE)
           .isEmpty();
       List<String> rows = Files.readAllLines(csv);
       assertThat(rows).as("a header and a row each").hasSizeGreaterThan(1);
-      String measured = String.join(" ", figures).replaceAll("\\s+", " ");
+      String measured = inOneLine(String.join(" ", figures));
       assertThat(rows.stream().skip(1).map(row -> row.split("\"", -1)[1]))
           .allMatch(figure -> measured.contains(figure));
       assertThat(outcome.out()).as("no colours in a pipe").doesNotContain("\u001b");
-      // A machine that is busy with other work may miss a figure; then it has to say so.
-      boolean isMissed = IS_STRICT && outcome.out().contains("MISSED");
-      int expected = isMissed ? ExitCode.FAILED : ExitCode.WELL;
+      // Whether a missed time is a failure of this test is decided when the run is over.
+      boolean isMissed = !DemoTimes.of(outcome.out()).missed().isEmpty();
+      assertThat(outcome.out().contains("MISSED")).as(outcome.out()).isEqualTo(isMissed);
+      int expected = IS_STRICT && isMissed ? ExitCode.FAILED : ExitCode.WELL;
       assertThat(outcome.exit()).as(outcome.out()).isEqualTo(expected);
       assertThat(processes.living()).as("processes left").isEmpty();
     }
     try (var left = Files.list(temp)) {
       assertThat(left.toList()).as("left in the temporary folder").isEqualTo(List.of());
     }
-    return said;
+    return outcome.out();
   }
 
   /**

@@ -89,7 +89,7 @@ class DemoRasterIT extends DemoPlay {
   }
 
   private void assertReport(String... contents) throws Exception {
-    Path report = folder.resolve("report");
+    Path report = report();
     assertThat(Files.readString(report.resolve("report.html")))
         .contains("Where they went", "What happened on the way", "<svg")
         .contains(contents);

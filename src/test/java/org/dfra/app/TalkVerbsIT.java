@@ -126,7 +126,7 @@ class TalkVerbsIT {
   @Test
   void robotsAreShownAndFoundByWhatTheyCanDo() throws Exception {
     assertThat(said("persona", "list").lines().map(line -> line.replaceAll(" +", " ")))
-        .containsExactly("ROBOT ROLE MODULES SEEN", "zeta scout 1 now");
+        .containsExactly("ROBOT ROLE MODULES HOST SEEN", "zeta scout 1 127.0.0.1 now");
     assertThat(said("persona", "show", "zeta"))
         .contains("zeta, scout", "seen now", "Goals", "  Map the field.")
         .contains("gps_front, GPSSensor: ", "gps receiver: ", "fix modes 2D 3D", "sensor: reads");

@@ -71,6 +71,33 @@ class RunVerbsTest {
       fi
       """;
 
+  /** Is asked which processes are robots': those in the folder of this test, not the computer's. */
+  private static final String GREP =
+      """
+      #!/bin/sh
+      if [ "$1" = -lsF ]; then
+          cat >/dev/null
+          ls "$HOME"/proc/*/cmdline 2>/dev/null
+      else
+          PATH=${PATH#*:}
+          exec grep "$@"
+      fi
+      """;
+
+  /** Takes down that it was called, and installs nothing. */
+  private static final String INSTALLER =
+      """
+      #!/bin/sh
+      echo "$*" >>"$HOME/installed"
+      """;
+
+  private static final String SUDO =
+      """
+      #!/bin/sh
+      shift
+      exec "$@"
+      """;
+
   @TempDir Path folder;
   private Path source;
   private Path tools;
@@ -91,6 +118,9 @@ class RunVerbsTest {
     for (String name : List.of("mvn", "gradle")) {
       program(tools.resolve(name), BUILD_TOOL);
     }
+    program(tools.resolve("grep"), GREP);
+    program(tools.resolve("apt-get"), INSTALLER);
+    program(tools.resolve("sudo"), SUDO);
     Path jdk = Files.createDirectories(folder.resolve("jdk/bin"));
     program(jdk.resolve("java"), JAVA);
     program(jdk.resolve("javac"), JAVA);
@@ -216,6 +246,61 @@ class RunVerbsTest {
     Files.delete(folder.resolve("jdk/bin/javac"));
     Files.delete(tools.resolve("mvn"));
     assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
+  }
+
+  /** What it says where it cannot do it: one line. */
+  private String refused(String... words) throws IOException {
+    Process script = start(words);
+    assertThat(ended(script)).isTrue();
+    assertThat(script.exitValue()).as(said(script)).isEqualTo(69);
+    return said(script);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"status", "up", "demo", "help"})
+  void whatOnlyRunsInstallsNothing(String verb) throws Exception {
+    program(tools.resolve("mvn"), "#!/bin/sh\nexit 1\n");
+    assertThat(refused(verb))
+        .isEqualTo(
+            "dfra: nothing is built here, and there is no Maven 3.8 or newer to build it with; type"
+                + " ./dfra build, which installs one or says how, then ./dfra "
+                + verb
+                + " again\n");
+    assertThat(folder.resolve("installed")).doesNotExist();
+    assertThat(refused("build")).contains("installing it with apt-get");
+    assertThat(folder.resolve("installed")).content().contains("install -y").contains("maven");
+  }
+
+  @Test
+  void stopSaysInOneSentenceThatNothingIsBuilt() throws Exception {
+    assertThat(refused("stop", "--all"))
+        .isEqualTo(
+            "dfra: NOTHING IS STOPPED, since nothing is built here and no robot of this computer"
+                + " runs from jars that can be read: use the robots' own emergency stop, then type"
+                + " ./dfra build and ./dfra stop again\n");
+    assertThat(builds()).isZero();
+    assertThat(folder.resolve("installed")).doesNotExist();
+  }
+
+  @Test
+  void stopRunsTheJarsOfThisComputersPhoenixWhereNothingIsBuilt() throws Exception {
+    Path lib = Files.createDirectories(folder.resolve("elsewhere/lib"));
+    Files.writeString(lib.resolve("dfra-app.jar"), "the phoenix's version\n");
+    Path boot = Files.writeString(lib.resolve("dfra-activation.jar"), "boot");
+    Path process = Files.createDirectories(folder.resolve("proc/4711"));
+    Files.writeString(
+        process.resolve("cmdline"),
+        String.join(
+            "\0",
+            "java",
+            "-Xbootclasspath/a:" + boot,
+            "-cp",
+            lib.resolve("a.jar") + ":" + lib.resolve("dfra-app.jar") + ":" + lib.resolve("z.jar"),
+            "org.dfra.river.phoenix.Phoenix",
+            "--port=1198",
+            ""));
+    assertThat(dfra("stop", "--all")).isEqualTo("runs the phoenix's version\n");
+    assertThat(builds()).isZero();
   }
 
   @Test

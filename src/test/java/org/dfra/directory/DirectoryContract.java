@@ -2,6 +2,7 @@ package org.dfra.directory;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.awaitility.Awaitility.await;
 import static org.dfra.directory.Condition.atLeast;
 import static org.dfra.directory.Condition.contains;
@@ -239,6 +240,46 @@ abstract class DirectoryContract extends DirectoryFixture {
     assertThat(personas.get(1).attributes()).isEmpty();
     assertThat(personas.get(2).modules()).isEmpty();
     assertThat(personas).noneMatch(Persona::stale);
+  }
+
+  private void listElsewhere(String robot, String name) throws Exception {
+    list(name, List.of(module(robot, name, "192.0.2.1", Readiness.READY)), Locality.REMOTE);
+  }
+
+  @Test
+  void robotsOfOneNameOnTwoHostsAreTwo() throws Exception {
+    list("a", "gps", 1);
+    list("a", "laser", 1);
+    listElsewhere("a", "gps");
+    PersonaAttributes persona = new PersonaAttributes("a", "scout", List.of("map"), List.of());
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () ->
+                assertThat(directory.personas())
+                    .extracting(Persona::robot, Persona::host, each -> each.modules().size())
+                    .containsExactly(tuple("a", "127.0.0.1", 2), tuple("a", "192.0.2.1", 1)));
+    stage.announce(persona);
+    stage.announce(new PersonaAttributes("b", "carrier", List.of(), List.of()));
+    await()
+        .atMost(PATIENCE)
+        .until(() -> directory.personas().stream().anyMatch(each -> each.robot().equals("b")));
+    assertThat(directory.personas())
+        .as("whose persona it is, is not known")
+        .extracting(Persona::robot, Persona::host, each -> each.attributes().isPresent())
+        .containsExactly(
+            tuple("a", "127.0.0.1", false), tuple("a", "192.0.2.1", false), tuple("b", "", true));
+  }
+
+  @Test
+  void aModuleIsNotNearWhereARobotOfTheSameNameIs() throws Exception {
+    GeoPosition here = new GeoPosition(52.9103, 6.8667, 50);
+    list(
+        "gps",
+        and(attributes("r", "gps", 1), new LocationAttributes(here, Instant.EPOCH)),
+        Locality.SAME_HOST);
+    listElsewhere("r", "laser");
+    assertThat(names(ModuleQuery.of(GPSSensor.class).within(50, here))).containsExactly("gps");
   }
 
   @Test

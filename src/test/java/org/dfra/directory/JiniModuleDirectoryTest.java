@@ -2,6 +2,7 @@ package org.dfra.directory;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
@@ -30,6 +31,7 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
@@ -252,6 +254,24 @@ class JiniModuleDirectoryTest extends DirectoryContract {
                     .singleElement()
                     .extracting(found -> found.attributes().orElse(null))
                     .isEqualTo(persona));
+  }
+
+  @Test
+  void aPersonaIsThatOfTheRobotOnItsRegistrarsHost() throws Exception {
+    list("atrv1", "gps", 1); // on the registrar's host
+    list(
+        "gps", List.of(module("atrv1", "gps", "192.0.2.1", Readiness.READY)), Locality.REMOTE);
+    PersonaAttributes persona = new PersonaAttributes("atrv1", "scout", List.of(), List.of());
+    JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
+    admin.addLookupAttributes(Entries.of(List.of(persona)));
+    await()
+        .atMost(PATIENCE)
+        .untilAsserted(
+            () ->
+                assertThat(directory.personas())
+                    .extracting(Persona::host, each -> each.attributes().isPresent())
+                    .containsExactly(
+                        tuple(EmbeddedReggie.HOST, true), tuple("192.0.2.1", false)));
   }
 
   @Test

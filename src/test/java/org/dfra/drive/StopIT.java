@@ -171,6 +171,31 @@ class StopIT {
     assertNobodyCommands();
   }
 
+  @Test
+  void stopsAlsoWhereWhatIsSetForItIsWrong() throws Exception {
+    try (Commander unused = new Commander(drive, LEASE, AHEAD)) {
+      robot.awaitFullSpeed();
+      Instant typed = Instant.now();
+      Said said =
+          robot.dfraHere(
+              "stop",
+              "--all",
+              "--team=",
+              "--host=203.0.113.9",
+              "--locator=nowhere:99999",
+              "--wait=-1");
+      assertThat(said.text())
+          .contains(
+              "eta/drive: stopped.",
+              "host 203.0.113.9 is no address of this machine",
+              "the lookup service jini://nowhere:99999 cannot be asked: ",
+              "--wait=-1.0 is not a number of seconds from 0 to 3600; it waits 2 s");
+      assertThat(said.status()).as("a lookup service was not asked").isEqualTo(4);
+      assertTheyStand(typed, "./dfra stop --all was typed, with wrong options");
+    }
+    assertNobodyCommands();
+  }
+
   /** Its XML was edited and remembered, but up did not get to end what ran before. */
   @Test
   void stopsAnEffectorThatTheXmlHasUnderAnotherNameNow() throws Exception {

@@ -1,7 +1,8 @@
 package org.dfra.agent;
 
 /**
- * A call for help was not made: nobody can observe the percept, the place is outside the field, or
+ * A call for help was not made: nobody can observe the percept, only robots that share a name can,
+ * the place is outside the field, or
  * another call is under way; the message says which. Nothing was sent.
  */
 public final class HelpRefusedException extends IllegalArgumentException {

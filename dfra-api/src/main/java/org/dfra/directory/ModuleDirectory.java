@@ -40,7 +40,10 @@ public interface ModuleDirectory extends AutoCloseable {
   /** Has a listener told of the modules that match, until the watch or the directory is closed. */
   <M extends Module> Watch listen(ModuleQuery<M> query, DirectoryListener<M> listener);
 
-  /** Every robot that has shown something of itself, by name. */
+  /**
+   * Every robot that has shown something of itself, by name and host. Two robots of one name on two
+   * hosts are two.
+   */
   List<Persona> personas();
 
   /**

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.UUID;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
 
 /**
  * A module as the directory knows it. A snapshot: it does not change any more.
@@ -46,6 +47,14 @@ public record ModuleListing<M extends Module>(
       }
     }
     return Optional.empty();
+  }
+
+  /**
+   * Address or name of the computer that it runs on, as it says itself; empty where it has not.
+   * Robots of one name differ by it.
+   */
+  public String host() {
+    return attributes(ModuleAttributes.class).map(ModuleAttributes::host).orElse("");
   }
 
   /** How long nobody has vouched for it; zero where it is not stale. */

@@ -133,8 +133,8 @@ public final class ModuleQuery<M extends Module> {
 
   /**
    * Only near a position. A module is where its {@link LocationAttributes} say; one without them is
-   * where its robot is, by those of the robot's other modules; one on a robot that does not say
-   * where it is, is near nothing.
+   * where its robot is, by those of the robot's other modules on the same host; one on a robot that
+   * does not say where it is, is near nothing.
    *
    * @param metres the greatest distance in metres, as {@link GeoPosition#groundDistance}
    * @throws IllegalArgumentException if the distance is negative or no number
@@ -160,10 +160,10 @@ public final class ModuleQuery<M extends Module> {
   /**
    * Whether a module is what is asked for.
    *
-   * @param robots where a robot is, by its name
+   * @param robots where the robot of a module is
    */
   public boolean matches(
-      ModuleListing<?> candidate, Function<String, Optional<GeoPosition>> robots) {
+      ModuleListing<?> candidate, Function<ModuleListing<?>, Optional<GeoPosition>> robots) {
     if (!kind.isInstance(candidate.module())
         || (robot != null && !robot.equals(candidate.robot()))
         || (name != null && !name.equals(candidate.name()))) {
@@ -179,11 +179,13 @@ public final class ModuleQuery<M extends Module> {
   }
 
   private static boolean isNear(
-      Circle circle, ModuleListing<?> candidate, Function<String, Optional<GeoPosition>> robots) {
+      Circle circle,
+      ModuleListing<?> candidate,
+      Function<ModuleListing<?>, Optional<GeoPosition>> robots) {
     return candidate
         .attributes(LocationAttributes.class)
         .map(LocationAttributes::position)
-        .or(() -> robots.apply(candidate.robot()))
+        .or(() -> robots.apply(candidate))
         .filter(position -> position.groundDistance(circle.centre()) <= circle.metres())
         .isPresent();
   }

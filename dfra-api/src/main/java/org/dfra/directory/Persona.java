@@ -10,7 +10,9 @@ import org.dfra.persona.PersonaAttributes;
 /**
  * A robot as the directory knows it. A snapshot.
  *
- * @param robot name of the robot
+ * @param robot name of the robot; another robot may have it on another host
+ * @param host address or name of the computer it runs on, as its modules and its registrar say;
+ *     empty where that is not known
  * @param attributes its role, goals and limitations, if it has told them
  * @param modules its modules, by name
  * @param stale whether nobody vouches for anything of it any more
@@ -19,6 +21,7 @@ import org.dfra.persona.PersonaAttributes;
  */
 public record Persona(
     String robot,
+    String host,
     Optional<PersonaAttributes> attributes,
     List<ModuleListing<Module>> modules,
     boolean stale,

@@ -6,6 +6,7 @@ import org.dfra.flow.Device;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A module that acts on the world. It obeys its commander and nobody else, in its own virtual
@@ -43,22 +44,23 @@ public interface Effector<C extends Command> extends Device {
    * while the module does not serve, and does not wait longer than half a second for a driver that
    * is held up. Stopping it once more has it come to rest once more; who stopped it first is kept.
    *
-   * @param by who asks, for people
+   * @param by who asks, for people; any text will do, also none, and {@link
+   *     StopState#requesterName} is kept of it
    * @return how it is now
    */
   @Idempotent
-  StopState emergencyStop(String by) throws RemoteException;
+  StopState emergencyStop(@Nullable String by) throws RemoteException;
 
   /**
    * Ends an emergency stop. Nothing moves by this: whoever wants to command asks for a new lease.
    * Not idempotent, so that no other effector is released in place of one that does not answer;
    * repeating it does no harm.
    *
-   * @param by who releases it, for people
+   * @param by who releases it, for people; as for {@link #emergencyStop}
    * @return how it is now
    */
   @Administrative
-  StopState releaseStop(String by) throws RemoteException;
+  StopState releaseStop(@Nullable String by) throws RemoteException;
 
   /** Whether it is stopped for an emergency. */
   @Idempotent

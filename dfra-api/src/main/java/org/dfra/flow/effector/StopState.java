@@ -26,6 +26,35 @@ public record StopState(
   /** Of an effector that was never stopped. */
   public static final StopState NEVER = new StopState(false, null, null, true, null);
 
+  /** Characters of a requester's name that are kept. */
+  private static final int LONGEST_NAME = 120;
+
+  /** Of a longer text, no more than this is read: it may be of any length. */
+  private static final int LONGEST_TEXT = 4 * LONGEST_NAME;
+
+  /**
+   * The name that is kept of whoever stops or releases an effector. Any text will do, also none: a
+   * stop must not fail because of it.
+   *
+   * @param by who asks, as the caller says; any length, any characters
+   * @return one line of at most 120 characters, with an ellipsis where it was longer; {@code
+   *     somebody} where nothing can be read in it
+   */
+  public static String requesterName(@Nullable String by) {
+    if (by == null) {
+      return "somebody";
+    }
+    String text = by.length() <= LONGEST_TEXT ? by : by.substring(0, LONGEST_TEXT);
+    // Controls, directions of writing, halves of characters and ends of lines garble a terminal.
+    String line = text.replaceAll("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}]+", " ").strip();
+    if (line.isEmpty()) {
+      return "somebody";
+    } else if (line.codePointCount(0, line.length()) > LONGEST_NAME) {
+      return line.substring(0, line.offsetByCodePoints(0, LONGEST_NAME)) + "…";
+    }
+    return text.length() < by.length() ? line + "…" : line;
+  }
+
   /** Since when it is stopped and by whom, as far as that is known; for people. */
   public String inWords() {
     return (since == null ? "since a time not known" : "since " + since)

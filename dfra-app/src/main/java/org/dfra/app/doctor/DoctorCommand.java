@@ -131,7 +131,8 @@ public final class DoctorCommand implements Callable<Integer> {
     return uses;
   }
 
-  private static PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
+  private PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
+    Duration patience = team.patience();
     return new PhoenixCheck.Daemon() {
       @Override
       public String address() {
@@ -145,7 +146,7 @@ public final class DoctorCommand implements Callable<Integer> {
 
       @Override
       public List<GroupStatus> groups() throws RemoteException {
-        return phoenix.admin(DEADLINE).groupStatus();
+        return phoenix.groupStatus(DEADLINE, patience);
       }
 
       @Override

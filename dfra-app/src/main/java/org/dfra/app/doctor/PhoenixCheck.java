@@ -4,6 +4,7 @@ import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
+import org.dfra.river.bootstrap.NoAnswerException;
 import org.dfra.river.phoenix.GroupStatus;
 
 /** Whether this host's phoenix answers, and how its groups are. */
@@ -57,6 +58,16 @@ final class PhoenixCheck implements Check {
 
   private Finding silent(RemoteException failure) {
     OptionalLong pid = phoenix.pid();
+    if (pid.isEmpty() && failure instanceof NoAnswerException) {
+      return Finding.fail(
+          subject(),
+          "nobody knows whether one runs at "
+              + phoenix.address()
+              + ", since it does not answer ("
+              + reason(failure)
+              + ")",
+          "See whether another program has that port, and whether the computer is overloaded.");
+    }
     if (pid.isEmpty()) {
       return Finding.warn(
           subject(),
@@ -82,7 +93,11 @@ final class PhoenixCheck implements Check {
   }
 
   private static String reason(RemoteException failure) {
-    String text = String.valueOf(failure.getMessage());
+    Throwable last =
+        failure instanceof NoAnswerException && failure.getCause() != null
+            ? failure.getCause()
+            : failure;
+    String text = String.valueOf(last.getMessage());
     int nested = text.indexOf(';');
     return nested < 0 ? text : text.substring(0, nested);
   }

@@ -122,10 +122,14 @@ final class TeamSurvey
   @Override
   public List<Measured> measure() throws InterruptedException {
     directory.awaitFirstLook(patience);
+    List<ModuleListing<Module>> all = directory.find(ModuleQuery.of(Module.class));
+    Map<String, List<String>> namesakes = Namesakes.of(all);
     Map<String, List<Module>> robots = new TreeMap<>();
-    for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
+    for (ModuleListing<Module> each : all) {
       if (!each.stale() && !each.robot().isEmpty()) {
-        robots.computeIfAbsent(each.robot(), robot -> new ArrayList<>()).add(each.module());
+        String robot =
+            namesakes.containsKey(each.robot()) ? each.robot() + "@" + each.host() : each.robot();
+        robots.computeIfAbsent(robot, name -> new ArrayList<>()).add(each.module());
       }
     }
     Map<String, Future<ClockOffset>> asked = new TreeMap<>();
@@ -158,7 +162,7 @@ final class TeamSurvey
 
   /** By the first of a robot's modules that tells. */
   private static ClockOffset offset(List<Module> modules) throws Exception {
-    @Nullable RemoteException failure = null;
+    @Nullable Exception failure = null;
     for (Module module : modules) {
       try {
         if (module instanceof Administrable administrable
@@ -166,7 +170,7 @@ final class TeamSurvey
           Callable<Instant> clock = admin::clock;
           return ClockOffset.measure(QUESTIONS, clock, InstantSource.system());
         }
-      } catch (RemoteException e) {
+      } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own
         failure = e;
       }
     }

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.dfra.app.team.Administration;
 import org.dfra.app.team.Inquiry;
+import org.dfra.app.team.Namesakes;
 import org.dfra.directory.ModuleListing;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.module.Module;
@@ -45,7 +46,7 @@ final class Holders {
             deadline);
     Holders holders = new Holders();
     for (int i = 0; i < held.size(); i++) {
-      holders.add(asked.get(i).path(), held.get(i));
+      holders.add(Namesakes.path(asked.get(i), all), held.get(i));
     }
     return holders;
   }

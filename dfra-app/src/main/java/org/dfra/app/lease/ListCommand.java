@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.Administration;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Seen;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
@@ -54,18 +55,20 @@ final class ListCommand implements Callable<Integer> {
     try (Team team = options.open()) {
       List<LeaseView> leases = new ArrayList<>();
       int silent = 0;
-      Holders holders = Holders.among(all(team), ANSWERS);
+      List<ModuleListing<Module>> all = all(team);
+      Holders holders = Holders.among(all, ANSWERS);
       for (ModuleListing<Module> each : asked(team)) {
+        String path = Namesakes.path(each, all);
         try {
           for (LeaseStatus lease : Administration.of(each).leases()) {
-            leases.add(LeaseView.of(each.path(), lease, holders.of(lease.handle())));
+            leases.add(LeaseView.of(path, lease, holders.of(lease.handle())));
           }
         } catch (RemoteException e) {
           if (module != null) {
             throw e;
           }
           silent++;
-          options.answer().remark(each.path() + " does not answer: " + e.getMessage());
+          options.answer().remark(path + " does not answer: " + e.getMessage());
         }
       }
       show(leases);
@@ -74,10 +77,7 @@ final class ListCommand implements Callable<Integer> {
   }
 
   private List<ModuleListing<Module>> asked(Team team) throws InterruptedException {
-    if (module != null) {
-      return List.of(team.module(module));
-    }
-    return all(team);
+    return module != null ? List.of(team.module(module)) : all(team);
   }
 
   private static List<ModuleListing<Module>> all(Team team) throws InterruptedException {

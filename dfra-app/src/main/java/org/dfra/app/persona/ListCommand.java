@@ -22,12 +22,13 @@ final class ListCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     try (Team team = options.open()) {
       List<RobotView> robots = team.surveyed().personas().stream().map(RobotView::of).toList();
-      Table table = new Table("ROBOT", "ROLE", "MODULES", "SEEN");
+      Table table = new Table("ROBOT", "ROLE", "MODULES", "HOST", "SEEN");
       for (RobotView each : robots) {
         table.row(
             each.robot(),
             each.roleInWords(),
             Integer.toString(each.modules()),
+            each.host().isEmpty() ? "-" : each.host(),
             Seen.of(each.stale(), each.confirmed()));
       }
       options.answer().table(robots, table, "No robot shows anything of itself.");

@@ -10,6 +10,7 @@ import org.dfra.persona.PersonaAttributes;
  * A robot as it shows itself.
  *
  * @param robot its name
+ * @param host address or name of the computer it runs on; empty where that is not known
  * @param role its role in the team; absent where it tells none
  * @param goals what it tries to achieve
  * @param limitations what it cannot do
@@ -19,6 +20,7 @@ import org.dfra.persona.PersonaAttributes;
  */
 record RobotView(
     String robot,
+    String host,
     Optional<String> role,
     List<String> goals,
     List<String> limitations,
@@ -35,6 +37,7 @@ record RobotView(
     Optional<PersonaAttributes> told = persona.attributes();
     return new RobotView(
         persona.robot(),
+        persona.host(),
         told.map(PersonaAttributes::role).filter(role -> !role.isEmpty()),
         told.map(PersonaAttributes::goals).orElse(List.of()),
         told.map(PersonaAttributes::limitations).orElse(List.of()),

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.module.ModuleView;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Seen;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Parameters;
 @Command(name = "show", description = "Shows a robot: what it is there for, and what it can do.")
 final class ShowCommand implements Callable<Integer> {
 
-  @Parameters(index = "0", paramLabel = "ROBOT", description = "The robot's name.")
+  @Parameters(index = "0", paramLabel = "ROBOT", description = "The robot's name; ROBOT@HOST where several robots have it.")
   private String robot = "";
 
   @Mixin
@@ -43,10 +44,8 @@ final class ShowCommand implements Callable<Integer> {
     try (Team team = options.open()) {
       List<Persona> all = team.surveyed().personas();
       Persona persona =
-          all.stream()
-              .filter(each -> each.robot().equals(robot))
-              .findFirst()
-              .orElseThrow(() -> unknown(all.stream().map(Persona::robot).toList()));
+          Namesakes.choose(robot, all)
+              .orElseThrow(() -> unknown(all.stream().map(Persona::robot).distinct().toList()));
       RobotView view = RobotView.of(persona);
       options
           .answer()
@@ -83,6 +82,9 @@ final class ShowCommand implements Callable<Integer> {
   private static List<String> lines(RobotView robot, List<ModuleListing<Module>> modules) {
     List<String> lines = new ArrayList<>();
     lines.add(robot.robot() + robot.role().map(role -> ", " + role).orElse(""));
+    if (!robot.host().isEmpty()) {
+      lines.add("  on " + robot.host());
+    }
     lines.add("  seen " + Seen.of(robot.stale(), robot.confirmed()));
     section(lines, "Goals", robot.goals());
     section(lines, "Limitations", robot.limitations());

@@ -14,7 +14,7 @@ import org.dfra.directory.ModuleListing;
 /**
  * What a recruitment agent is doing.
  *
- * @param robot its robot
+ * @param robot its robot; {@code robot@host} where others that are shown have its name
  * @param responder its state as one that helps
  * @param helped the robot that it helps, or has offered to; empty where there is none
  * @param held why its robot answers no call; empty where it is not held
@@ -27,11 +27,15 @@ record AgentView(
     Optional<String> held,
     String doing) {
 
-  /** Asks the agent. */
-  static AgentView of(ModuleListing<Recruiting> listing) throws RemoteException {
+  /**
+   * Asks the agent.
+   *
+   * @param robot its robot, as it is shown
+   */
+  static AgentView of(String robot, ModuleListing<Recruiting> listing) throws RemoteException {
     RecruitmentStatus status = listing.module().status();
     return new AgentView(
-        listing.robot(),
+        robot,
         status.responder(),
         Optional.ofNullable(status.helped()),
         Optional.ofNullable(status.held()),

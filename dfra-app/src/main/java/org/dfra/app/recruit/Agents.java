@@ -5,6 +5,7 @@ import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.agent.Recruiting;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.RobotModules;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
@@ -39,10 +40,11 @@ final class Agents {
     List<AgentView> views = new ArrayList<>();
     boolean isComplete = true;
     try (Team team = options.open()) {
-      for (ModuleListing<Recruiting> each : in(team, wanted)) {
+      List<ModuleListing<Recruiting>> agents = in(team, wanted);
+      for (ModuleListing<Recruiting> each : agents) {
         try {
           request.to(each.module());
-          views.add(AgentView.of(each));
+          views.add(AgentView.of(Namesakes.robot(each, agents), each));
         } catch (RemoteException | NotReadyException e) {
           isComplete = false;
           options.answer().remark(each.path() + " does not answer: " + e.getMessage());

@@ -53,7 +53,7 @@ final class NamesakeSearch implements AutoCloseable {
     return directory.find(ModuleQuery.of(Module.class).robot(robot)).stream()
         .filter(each -> !each.stale() && !own.contains(each.id()))
         .filter(this::isThere)
-        .map(Namesakes::host)
+        .map(ModuleListing::host)
         .findFirst()
         .map(
             other ->
@@ -70,7 +70,7 @@ final class NamesakeSearch implements AutoCloseable {
 
   /** On this host a lookup service may still list what was there before; then nobody answers. */
   private boolean isThere(ModuleListing<Module> listing) {
-    String other = Namesakes.host(listing);
+    String other = listing.host();
     if (!other.equals(host)) {
       return !other.isEmpty();
     }

@@ -3,7 +3,6 @@ package org.dfra.app.stop;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.rmi.ConnectException;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.time.Instant;
@@ -34,6 +33,7 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.KeptStops;
 import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.call.Refusal;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -107,10 +107,7 @@ public final class StopCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
     }
-    by =
-        System.getProperty("user.name", "somebody")
-            + " at "
-            + HostAddress.resolve(options.wantedHost());
+    by = requester();
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED, StopRound.TRY, this::say)) {
@@ -118,13 +115,24 @@ public final class StopCommand implements Callable<Integer> {
       List<String> silent = new ArrayList<>();
       try {
         silent.addAll(callListed(round));
-      } catch (IOException e) { // this host's effectors are called all the same
+      } catch (IOException
+          | ConfigurationException e) { // this host's effectors are called all the same
         silent.add("no lookup service can be looked for: " + e.getMessage());
       }
       List<Outcome> outcomes =
           round.outcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
       silent.addAll(robotsWithout(outcomes));
       return report(outcomes, silent);
+    }
+  }
+
+  /** Who asks, as effectors keep it; an address that is set wrongly keeps nobody from stopping. */
+  private String requester() {
+    String user = System.getProperty("user.name", "somebody");
+    try {
+      return StopState.requesterName(user + " at " + HostAddress.resolve(options.wantedHost()));
+    } catch (ConfigurationException e) { // the search for lookup services remarks it
+      return StopState.requesterName(user);
     }
   }
 
@@ -165,16 +173,19 @@ public final class StopCommand implements Callable<Integer> {
         @Nullable Instant before = before(kept.latched(), kept.since());
         round.callLocal(each.path(), () -> call(each.path(), each.way().reach(), before));
       }
-    } catch (ConnectException e) {
-      LOG.debug("No phoenix runs here, and no robot is known.", e);
     } catch (IOException | ActivationException e) {
-      options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+      if (Refusal.isProvenBy(e)) {
+        LOG.debug("No phoenix runs here, and no robot is known.", e);
+      } else {
+        options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+      }
     }
   }
 
   /** Calls each as soon as it is found; returns the named lookup services that do not answer. */
   private List<String> callListed(StopRound round) throws IOException, InterruptedException {
-    try (JiniModuleDirectory directory = options.directory();
+    List<String> unasked = new ArrayList<>();
+    try (JiniModuleDirectory directory = options.urgentDirectory(unasked::add);
         Watch unused =
             directory.listen(
                 ModuleQuery.of(Module.class),
@@ -184,16 +195,17 @@ public final class StopCommand implements Callable<Integer> {
                     callListed(round, listing);
                   }
                 })) {
-      List<String> silent = directory.awaitFirstLook(options.patience());
+      List<String> silent = directory.awaitFirstLook(options.urgentPatience());
       directory
           .find(ModuleQuery.of(Module.class))
           .forEach(listing -> callListed(round, listing)); // whom the listener has yet to hear of
       List<String> named = options.namedLocators();
       round.outcomes(); // the directory is needed as long as its proxies are called
-      return silent.stream()
+      silent.stream()
           .filter(each -> named.contains(each.replaceAll("/$", "")))
           .map(each -> "no lookup service answers at " + each + "; what it knows of was not called")
-          .toList();
+          .forEach(unasked::add);
+      return unasked;
     }
   }
 

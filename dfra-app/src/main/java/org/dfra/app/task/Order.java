@@ -3,6 +3,7 @@ package org.dfra.app.task;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Team;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.RasterSearch;
@@ -32,10 +33,11 @@ final class Order {
     int silent = 0;
     List<TaskView> tasks = new ArrayList<>();
     try (Team team = searches.open()) {
-      for (ModuleListing<RasterSearch> each : searches.in(team)) {
+      List<ModuleListing<RasterSearch>> robots = searches.in(team);
+      for (ModuleListing<RasterSearch> each : robots) {
         try {
           said.to(each.module());
-          tasks.add(TaskView.of(each));
+          tasks.add(TaskView.of(Namesakes.robot(each, robots), each));
         } catch (RemoteException e) {
           silent++;
           searches.answer().remark(each.path() + " does not answer: " + e.getMessage());

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.raster.GivenRegion;
 import org.dfra.app.raster.Lanes;
+import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Team;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.BehaviorStatus;
@@ -84,7 +85,7 @@ final class SubmitCommand implements Callable<Integer> {
       begin(robots, given.region(), lanes);
       List<TaskView> begun = new ArrayList<>();
       for (ModuleListing<RasterSearch> each : robots) {
-        begun.add(TaskView.of(each));
+        begun.add(TaskView.of(Namesakes.robot(each, robots), each));
       }
       TaskView.show(searches.answer(), begun);
       searches.answer().remark("how far they are: ./dfra task status");

@@ -13,7 +13,7 @@ import org.dfra.directory.ModuleListing;
 /**
  * How far a robot is.
  *
- * @param robot its name
+ * @param robot its name; {@code robot@host} where others that are shown have it
  * @param module what pursues the task, {@code robot/module}
  * @param phase what it is at
  * @param done share of it that is reached, 0 to 1
@@ -32,13 +32,16 @@ record TaskView(
     String doing,
     Instant since) {
 
-  /** Asks the robot. */
-  static TaskView of(ModuleListing<RasterSearch> listing) throws RemoteException {
+  /**
+   * Asks the robot.
+   *
+   * @param robot its name, as it is shown
+   */
+  static TaskView of(String robot, ModuleListing<RasterSearch> listing) throws RemoteException {
     BehaviorStatus status = listing.module().status();
-    String path = listing.path();
     return new TaskView(
-        path.substring(0, path.indexOf('/')),
-        path,
+        robot,
+        listing.path(),
         status.phase(),
         status.done(),
         status.partsDone(),

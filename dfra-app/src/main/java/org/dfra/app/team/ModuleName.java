@@ -57,7 +57,7 @@ record ModuleName(String text, @Nullable String robot, @Nullable String place, S
         : found.stream()
             .filter(
                 each ->
-                    Namesakes.host(each).equals(wanted)
+                    each.host().equals(wanted)
                         || (wanted.length() >= ID_LENGTH
                             && each.id().toString().startsWith(wanted)))
             .toList();
@@ -96,12 +96,12 @@ record ModuleName(String text, @Nullable String robot, @Nullable String place, S
     if (isAlone) {
       return listing.path();
     }
-    String host = Namesakes.host(listing);
+    String host = listing.host();
     boolean isAloneThere =
         !host.isEmpty()
             && others.stream()
                     .filter(each -> each.path().equals(listing.path()))
-                    .filter(each -> Namesakes.host(each).equals(host))
+                    .filter(each -> each.host().equals(host))
                     .count()
                 == 1;
     String place = isAloneThere ? host : listing.id().toString().substring(0, ID_LENGTH);

@@ -2,8 +2,10 @@ package org.dfra.app.team;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -13,8 +15,8 @@ import java.util.stream.Collectors;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
+import org.dfra.directory.Persona;
 import org.dfra.module.Module;
-import org.dfra.persona.ModuleAttributes;
 
 /**
  * Robots of one name in a team. A robot differs from its namesakes by its host; two on one host,
@@ -23,11 +25,6 @@ import org.dfra.persona.ModuleAttributes;
 public final class Namesakes {
 
   private Namesakes() {}
-
-  /** Where a module runs, as its entries say; empty where they do not. */
-  public static String host(ModuleListing<?> listing) {
-    return listing.attributes(ModuleAttributes.class).map(ModuleAttributes::host).orElse("");
-  }
 
   /**
    * The hosts of each name that more than one robot has. A host is there twice where two of the
@@ -38,14 +35,14 @@ public final class Namesakes {
     Map<String, Map<String, UUID>> modules = new TreeMap<>();
     Map<String, List<String>> several = new TreeMap<>();
     for (ModuleListing<?> each : listings) {
-      if (!each.stale() && !each.robot().isEmpty() && !host(each).isEmpty()) {
-        hosts.computeIfAbsent(each.robot(), robot -> new TreeSet<>()).add(host(each));
+      if (!each.stale() && !each.robot().isEmpty() && !each.host().isEmpty()) {
+        hosts.computeIfAbsent(each.robot(), robot -> new TreeSet<>()).add(each.host());
         UUID other =
             modules
                 .computeIfAbsent(each.robot(), robot -> new TreeMap<>())
-                .putIfAbsent(host(each) + "/" + each.name(), each.id());
+                .putIfAbsent(each.host() + "/" + each.name(), each.id());
         if (other != null && !other.equals(each.id())) {
-          several.put(each.robot(), List.of(host(each), host(each)));
+          several.put(each.robot(), List.of(each.host(), each.host()));
         }
       }
     }
@@ -56,6 +53,25 @@ public final class Namesakes {
           }
         });
     return several;
+  }
+
+  /**
+   * A module's robot as a listing shows it, and as it may be named: {@code robot@host} where another
+   * robot of the listing has its name, else its name alone.
+   */
+  public static String robot(
+      ModuleListing<?> one, Collection<? extends ModuleListing<?>> listed) {
+    boolean isAlone =
+        one.host().isEmpty()
+            || listed.stream()
+                .filter(each -> each.robot().equals(one.robot()))
+                .allMatch(each -> each.host().isEmpty() || each.host().equals(one.host()));
+    return isAlone ? one.robot() : one.robot() + "@" + one.host();
+  }
+
+  /** A module likewise: {@code robot/module} or {@code robot@host/module}. */
+  public static String path(ModuleListing<?> one, Collection<? extends ModuleListing<?>> listed) {
+    return robot(one, listed) + "/" + one.name();
   }
 
   /** {@code 2 robots are named atrv1, on 10.0.0.5 and 10.0.0.6}. */
@@ -76,15 +92,41 @@ public final class Namesakes {
     String robot = at < 0 ? text : text.substring(0, at);
     List<ModuleListing<M>> found =
         search.apply(robot).stream()
-            .filter(each -> at < 0 || host(each).equals(text.substring(at + 1)))
+            .filter(each -> at < 0 || each.host().equals(text.substring(at + 1)))
             .toList();
     List<String> hosts =
         found.stream()
             .filter(each -> !each.stale())
-            .map(Namesakes::host)
+            .map(ModuleListing::host)
             .distinct()
             .sorted()
             .toList();
+    requireOne(robot, hosts);
+    return found;
+  }
+
+  /**
+   * One robot of the team.
+   *
+   * @param text the robot's name, or {@code robot@host} where several have it
+   * @return empty if no robot has that name there
+   * @throws CommandFailure if several robots that lookup services vouch for have it
+   */
+  public static Optional<Persona> choose(String text, List<Persona> team) {
+    int at = text.indexOf('@');
+    String robot = at < 0 ? text : text.substring(0, at);
+    List<Persona> found =
+        team.stream()
+            .filter(each -> each.robot().equals(robot))
+            .filter(each -> at < 0 || each.host().equals(text.substring(at + 1)))
+            .sorted(Comparator.comparing(Persona::stale))
+            .toList();
+    requireOne(
+        robot, found.stream().filter(each -> !each.stale()).map(Persona::host).sorted().toList());
+    return found.stream().findFirst();
+  }
+
+  private static void requireOne(String robot, List<String> hosts) {
     if (hosts.size() > 1) {
       throw new CommandFailure(
           ExitCode.NOT_FOUND,
@@ -92,6 +134,5 @@ public final class Namesakes {
               + "; name one of "
               + hosts.stream().map(host -> robot + "@" + host).collect(Collectors.joining(", ")));
     }
-    return found;
   }
 }

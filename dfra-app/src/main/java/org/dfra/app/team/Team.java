@@ -88,7 +88,7 @@ public final class Team implements AutoCloseable {
   private String hint(ModuleName name, List<ModuleListing<Module>> elsewhere) {
     if (!elsewhere.isEmpty()) {
       return " there; it is on "
-          + elsewhere.stream().map(Namesakes::host).distinct().sorted().collect(joining(", "));
+          + elsewhere.stream().map(ModuleListing::host).distinct().sorted().collect(joining(", "));
     }
     List<String> names =
         directory.find(ModuleQuery.of(Module.class)).stream()

@@ -1,6 +1,7 @@
 package org.dfra.app.team;
 
 import java.io.IOException;
+import java.net.MalformedURLException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -8,7 +9,10 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
+import net.jini.core.discovery.LookupLocator;
 import org.dfra.app.terminal.Answer;
+import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
@@ -94,18 +98,70 @@ public final class TeamOptions {
     return new JiniModuleDirectory(here(), groups(), new ArrayList<>(locators()));
   }
 
+  /**
+   * As {@link #directory}, for an emergency: what is set wrongly is remarked and left out, and
+   * everything else is asked all the same.
+   *
+   * @param unasked is given a sentence about each named lookup service that cannot be asked
+   */
+  public JiniModuleDirectory urgentDirectory(Consumer<String> unasked) throws IOException {
+    Set<String> locators = new LinkedHashSet<>();
+    try {
+      for (RobotDescription robot : knownRobots()) {
+        try {
+          addLocator(robot, locators);
+        } catch (ConfigurationException e) { // its address is no longer this computer's, say
+          answer.remark(
+              "the lookup service of robot " + robot.name() + " is not asked: " + e.getMessage());
+        }
+      }
+    } catch (IOException | ConfigurationException e) {
+      answer.remark("this host's lookup services are not known: " + e.getMessage());
+    }
+    for (String named : namedLocators()) {
+      try {
+        LookupLocator unused = new LookupLocator(named);
+        locators.add(named);
+      } catch (MalformedURLException e) {
+        unasked.accept("the lookup service " + named + " cannot be asked: " + e.getMessage());
+      }
+    }
+    String here;
+    try {
+      here = here();
+    } catch (ConfigurationException e) {
+      answer.remark(e.getMessage() + "; one is chosen now");
+      here = HostAddress.resolve(HostAddress.AUTO);
+    }
+    return new JiniModuleDirectory(here, groups(), new ArrayList<>(locators));
+  }
+
+  /** As {@link #patience}, for an emergency: what is set wrongly is remarked and left out. */
+  public Duration urgentPatience() {
+    try {
+      return patience();
+    } catch (ParameterException e) {
+      answer.remark(e.getMessage() + "; it waits " + WAIT + " s");
+      return seconds(Double.parseDouble(WAIT), WAIT);
+    }
+  }
+
   private Set<String> locators() throws IOException {
     Set<String> all = new LinkedHashSet<>();
     for (RobotDescription robot : knownRobots()) {
-      robot
-          .registrar()
-          .filter(registrar -> registrar.port() != 0)
-          .ifPresent(
-              registrar ->
-                  all.add("jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
+      addLocator(robot, all);
     }
     all.addAll(namedLocators());
     return all;
+  }
+
+  private static void addLocator(RobotDescription robot, Set<String> all) {
+    robot
+        .registrar()
+        .filter(registrar -> registrar.port() != 0)
+        .ifPresent(
+            registrar ->
+                all.add("jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
   }
 
   /** The address at which others call this computer back, modules as well as lookup services. */

@@ -7,9 +7,11 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.rmi.ConnectException;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.OptionalLong;
+import org.dfra.river.bootstrap.NoAnswerException;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.GroupStatus.State;
 import org.jspecify.annotations.Nullable;
@@ -25,8 +27,14 @@ class RobotChecksTest {
   @TempDir Path folder;
 
   /** A phoenix that answers, or not. */
-  private record Fake(OptionalLong pid, @Nullable List<GroupStatus> answer)
+  private record Fake(
+      OptionalLong pid, @Nullable List<GroupStatus> answer, RemoteException failure)
       implements PhoenixCheck.Daemon {
+
+    Fake(OptionalLong pid, @Nullable List<GroupStatus> answer) {
+      this(pid, answer, new ConnectException("connection refused; nested exception is: …"));
+    }
+
     @Override
     public String address() {
       return "192.0.2.10:1198";
@@ -35,7 +43,7 @@ class RobotChecksTest {
     @Override
     public List<GroupStatus> groups() throws RemoteException {
       if (answer == null) {
-        throw new ConnectException("connection refused; nested exception is: …");
+        throw failure;
       }
       return answer;
     }
@@ -69,6 +77,27 @@ class RobotChecksTest {
         .returns(
             "process 17 does not answer at 192.0.2.10:1198 (connection refused)", Finding::what)
         .satisfies(finding -> assertThat(finding.mend()).contains("/state/phoenix.log"));
+  }
+
+  @Test
+  void oneThatMayBeThereAndDoesNotAnswerIsNotTakenForNone() {
+    RemoteException silent =
+        new NoAnswerException(
+            "phoenix",
+            Duration.ofSeconds(2),
+            new ConnectException("no connection to 192.0.2.10:1198; nested exception is: …"));
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null, silent)).examine())
+        .singleElement()
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns(
+            "nobody knows whether one runs at 192.0.2.10:1198, since it does not answer (no"
+                + " connection to 192.0.2.10:1198)",
+            Finding::what);
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null, silent)).examine())
+        .singleElement()
+        .returns(
+            "process 17 does not answer at 192.0.2.10:1198 (no connection to 192.0.2.10:1198)",
+            Finding::what);
   }
 
   @Test

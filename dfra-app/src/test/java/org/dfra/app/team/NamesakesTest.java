@@ -7,10 +7,12 @@ import java.lang.reflect.Proxy;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
+import org.dfra.directory.Persona;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
@@ -94,6 +96,36 @@ class NamesakesTest {
     assertThat(ModuleName.of("r/drive").choose(List.of(FIRST, drive(2, "10.0.0.6", true))))
         .as("the other may be gone")
         .isEqualTo(FIRST);
+  }
+
+  private static Persona persona(String robot, String host, boolean stale) {
+    return new Persona(robot, host, Optional.empty(), List.of(), stale, Instant.EPOCH);
+  }
+
+  @Test
+  void aPersonaIsChosenByNameAndHost() {
+    Persona first = persona("r", "10.0.0.5", false);
+    Persona second = persona("r", "10.0.0.6", false);
+    List<Persona> team = List.of(first, second, persona("s", "10.0.0.6", false));
+    assertThatThrownBy(() -> Namesakes.choose("r", team))
+        .isInstanceOf(CommandFailure.class)
+        .hasMessage(
+            "2 robots are named r, on 10.0.0.5 and 10.0.0.6; name one of r@10.0.0.5, r@10.0.0.6");
+    assertThat(Namesakes.choose("r@10.0.0.6", team)).contains(second);
+    assertThat(Namesakes.choose("t", team)).isEmpty();
+    assertThat(Namesakes.choose("r", List.of(persona("r", "10.0.0.6", true), first)))
+        .as("the other may be gone")
+        .contains(first);
+  }
+
+  @Test
+  void listingsTellThemApartByHost() {
+    ModuleListing<Module> other = listing(3, "s", "drive", "10.0.0.6", false);
+    List<ModuleListing<Module>> all = List.of(FIRST, SECOND, other);
+    assertThat(all.stream().map(each -> Namesakes.robot(each, all)))
+        .containsExactly("r@10.0.0.5", "r@10.0.0.6", "s");
+    assertThat(Namesakes.path(SECOND, all)).isEqualTo("r@10.0.0.6/drive");
+    assertThat(Namesakes.path(FIRST, List.of(FIRST, other))).isEqualTo("r/drive");
   }
 
   @Test

@@ -2,14 +2,11 @@ package org.dfra.core.directory;
 
 import java.lang.reflect.Proxy;
 import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -27,7 +24,6 @@ import org.dfra.directory.Persona;
 import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
-import org.dfra.persona.PersonaAttributes;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
@@ -184,44 +180,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
 
   @Override
   public final List<Persona> personas() {
-    Map<String, PersonaUnderWay> robots = new TreeMap<>();
-    for (ModuleTable.RobotSign sign : table.robots()) {
-      PersonaUnderWay robot =
-          robots.computeIfAbsent(sign.attributes().robot(), name -> new PersonaUnderWay());
-      robot.attributes = sign.attributes();
-      robot.see(sign.stale(), sign.confirmed());
-    }
-    for (ModuleListing<Module> module : table.all()) {
-      if (!module.robot().isEmpty()) {
-        PersonaUnderWay robot =
-            robots.computeIfAbsent(module.robot(), name -> new PersonaUnderWay());
-        robot.modules.add(module);
-        robot.see(module.stale(), module.confirmed());
-      }
-    }
-    return robots.entrySet().stream().map(each -> each.getValue().of(each.getKey())).toList();
-  }
-
-  /** A persona that is being put together. */
-  private static final class PersonaUnderWay {
-    @Nullable PersonaAttributes attributes;
-    final List<ModuleListing<Module>> modules = new ArrayList<>();
-    private boolean stale = true;
-    private Instant confirmed = Instant.MIN;
-
-    void see(boolean isStale, Instant when) {
-      if (stale && !isStale) {
-        confirmed = when;
-      } else if (stale == isStale && when.isAfter(confirmed)) {
-        confirmed = when;
-      }
-      stale &= isStale;
-    }
-
-    Persona of(String robot) {
-      modules.sort(Comparator.comparing(ModuleListing<Module>::name));
-      return new Persona(robot, Optional.ofNullable(attributes), modules, stale, confirmed);
-    }
+    return Personas.of(table.robots(), table.all());
   }
 
   @Override

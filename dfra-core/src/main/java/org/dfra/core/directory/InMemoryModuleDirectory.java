@@ -61,7 +61,7 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   /**
    * Lists a module, or what is known of it now.
    *
-   * @throws IllegalArgumentException if another module of that robot has its name
+   * @throws IllegalArgumentException if another module of that robot on that host has its name
    */
   public void put(UUID id, Module module, List<Attributes> attributes, Locality locality) {
     for (Attributes each : attributes) {
@@ -72,7 +72,8 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
                 other -> {
                   if (!other.id().equals(id)
                       && other.name().equals(who.name())
-                      && other.robot().equals(who.robot())) {
+                      && other.robot().equals(who.robot())
+                      && other.host().equals(who.host())) {
                     throw new IllegalArgumentException(
                         "there is a module "
                             + who.path()
@@ -86,7 +87,16 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
 
   /** Lists a robot as such. */
   public void put(UUID id, PersonaAttributes robot) {
-    table().put(id, robot);
+    put(id, robot, "");
+  }
+
+  /**
+   * Lists a robot as such.
+   *
+   * @param host address or name of the computer it runs on; empty where that is not known
+   */
+  public void put(UUID id, PersonaAttributes robot, String host) {
+    table().put(id, robot, host);
   }
 
   /** Nobody vouches for it any more, since now. */

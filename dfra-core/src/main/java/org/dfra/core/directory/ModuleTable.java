@@ -39,11 +39,19 @@ public final class ModuleTable {
   private volatile long version; // written under this
   private volatile Places places = new Places(-1, Map.of());
 
-  /** Something that shows a robot but is no module: its registrar. */
-  record RobotSign(PersonaAttributes attributes, boolean stale, Instant confirmed) {}
+  /**
+   * Something that shows a robot but is no module: its registrar.
+   *
+   * @param host address or name of the computer it runs on; empty where that is not known
+   */
+  record RobotSign(
+      PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
+
+  /** A robot among others of its name. */
+  private record RobotAt(String name, String host) {}
 
   /** Where each robot is, as of a version of the table. */
-  private record Places(long version, Map<String, LocationAttributes> robots) {}
+  private record Places(long version, Map<RobotAt, LocationAttributes> robots) {}
 
   ModuleTable(InstantSource clock) {
     this.clock = clock;
@@ -105,14 +113,38 @@ public final class ModuleTable {
     }
   }
 
-  /** Somebody vouches for a robot as such. */
-  public void put(UUID id, PersonaAttributes robot) {
+  /**
+   * Somebody vouches for a robot as such.
+   *
+   * @param host address or name of the computer it runs on; empty where that is not known
+   */
+  public void put(UUID id, PersonaAttributes robot, String host) {
     synchronized (this) {
       @Nullable RobotSign old = robots.get(id);
-      if (old != null && !old.stale() && old.attributes().equals(robot)) {
+      if (old != null
+          && !old.stale()
+          && old.attributes().equals(robot)
+          && old.host().equals(host)) {
         return;
       }
-      robots.put(id, new RobotSign(robot, false, clock.instant()));
+      robots.put(id, new RobotSign(robot, host, false, clock.instant()));
+      changed(id);
+    }
+    tell(id);
+  }
+
+  /**
+   * The computer that shows a robot as such is known now. Does nothing where nothing shows one.
+   *
+   * @param host address or name of the computer
+   */
+  public void place(UUID id, String host) {
+    synchronized (this) {
+      @Nullable RobotSign old = robots.get(id);
+      if (old == null || old.host().equals(host)) {
+        return;
+      }
+      robots.put(id, new RobotSign(old.attributes(), host, old.stale(), old.confirmed()));
       changed(id);
     }
     tell(id);
@@ -144,7 +176,7 @@ public final class ModuleTable {
                 vouched));
       }
       if (sign != null) {
-        robots.put(id, new RobotSign(sign.attributes(), true, vouched));
+        robots.put(id, new RobotSign(sign.attributes(), sign.host(), true, vouched));
       }
       changed(id);
     }
@@ -226,25 +258,26 @@ public final class ModuleTable {
     return new ArrayList<>(robots.values());
   }
 
-  /** Where a robot is, by the newest of its modules' locations. */
-  Optional<GeoPosition> place(String robot) {
+  /** Where a module's robot is, by the newest of the locations of the robot's modules. */
+  Optional<GeoPosition> place(ModuleListing<?> module) {
     Places known = places;
     long now = version;
     if (known.version() != now) {
-      Map<String, LocationAttributes> newest = new HashMap<>();
+      Map<RobotAt, LocationAttributes> newest = new HashMap<>();
       for (ModuleListing<Module> each : modules.values()) {
         each.attributes(LocationAttributes.class)
             .ifPresent(
                 location ->
                     newest.merge(
-                        each.robot(),
+                        new RobotAt(each.robot(), each.host()),
                         location,
                         (a, b) -> a.measured().isBefore(b.measured()) ? b : a));
       }
       known = new Places(now, newest);
       places = known;
     }
-    return Optional.ofNullable(known.robots().get(robot)).map(LocationAttributes::position);
+    return Optional.ofNullable(known.robots().get(new RobotAt(module.robot(), module.host())))
+        .map(LocationAttributes::position);
   }
 
   private void tell(UUID id) {

@@ -225,12 +225,12 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   @Override
-  public final StopState emergencyStop(String by) {
+  public final StopState emergencyStop(@Nullable String by) {
     return stop.stop(by);
   }
 
   @Override
-  public final StopState releaseStop(String by) {
+  public final StopState releaseStop(@Nullable String by) {
     return stop.release(by);
   }
 

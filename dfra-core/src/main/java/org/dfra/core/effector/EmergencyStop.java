@@ -89,7 +89,7 @@ final class EmergencyStop {
   }
 
   /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
-  StopState stop(String by) {
+  StopState stop(@Nullable String by) {
     boolean isNew = latch.engage(by);
     @Nullable UUID lease = helm.depose();
     Halt halt = halt();
@@ -153,7 +153,7 @@ final class EmergencyStop {
   }
 
   /** See {@link org.dfra.flow.effector.Effector#releaseStop}. */
-  StopState release(String by) {
+  StopState release(@Nullable String by) {
     if (latch.release(by)) {
       keep();
       ends.note(

@@ -23,7 +23,6 @@ import org.slf4j.Logger;
 public final class StopLatch {
 
   private static final String NAME = "stop";
-  private static final int LONGEST_NAME = 120;
 
   private final String module;
   private final StateStore state;
@@ -98,36 +97,27 @@ public final class StopLatch {
   /**
    * Latches it, from now on.
    *
-   * @param by who asks, for people
+   * @param by who asks, for people; any text, also none, see {@link StopState#requesterName}
    * @return false if it was latched already, by somebody who is known; then it stays as it is
    */
-  synchronized boolean engage(String by) {
+  synchronized boolean engage(@Nullable String by) {
     return !(now.latched() && now.by() != null) && set(true, by);
   }
 
   /**
    * Releases it.
    *
+   * @param by as for {@link #engage}
    * @return false if it was not latched
    */
-  synchronized boolean release(String by) {
+  synchronized boolean release(@Nullable String by) {
     return now.latched() && set(false, by);
   }
 
-  private boolean set(boolean latched, String by) {
+  private boolean set(boolean latched, @Nullable String by) {
     Instant since = clock.instant().truncatedTo(ChronoUnit.MILLIS);
-    now = new StopState(latched, name(by), since, true, null);
+    now = new StopState(latched, StopState.requesterName(by), since, true, null);
     return true;
-  }
-
-  /** One line, not too long: it comes from anywhere. */
-  private static String name(String by) {
-    String line = by.replaceAll("\\p{Cntrl}+", " ").strip();
-    return line.isEmpty()
-        ? "somebody"
-        : line.codePointCount(0, line.length()) <= LONGEST_NAME
-            ? line
-            : line.substring(0, line.offsetByCodePoints(0, LONGEST_NAME)) + "…";
   }
 
   /**

@@ -82,6 +82,15 @@ class EmergencyStopTest {
   }
 
   @Test
+  void haltsTheWheelsAlsoWhereNobodyIsNamed() {
+    assertThat(wheels.emergencyStop(null).latched()).isTrue();
+    await().atMost(PATIENCE).until(() -> wheels.stopState().resting());
+    assertThat(wheels.told).containsExactly("halt");
+    assertThat(wheels.stopState().by()).isEqualTo("somebody");
+    assertThat(StopLatch.kept(state).latched()).as("of the next life").isTrue();
+  }
+
+  @Test
   void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
     CommandLease lease = wheels.command(LEASE);
     CountDownLatch holder = new CountDownLatch(1);

@@ -157,6 +157,17 @@ class StopLatchTest {
     assertThat(latch().state()).isEqualTo(latch.state());
   }
 
+  @Test
+  void isLatchedAndReleasedAlsoWhereNobodyIsNamed() {
+    StopLatch latch = latch();
+    assertThat(latch.engage(null)).isTrue();
+    assertThat(latch.state().by()).isEqualTo("somebody");
+    assertThat(latch.keep()).isTrue();
+    assertThat(latch().isLatched()).as("of the next life").isTrue();
+    assertThat(latch.release(null)).isTrue();
+    assertThat(latch.isLatched()).isFalse();
+  }
+
   /** Remembers, until it is full. */
   static final class FullDisk implements StateStore {
 

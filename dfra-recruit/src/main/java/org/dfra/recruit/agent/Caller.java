@@ -128,6 +128,16 @@ final class Caller {
               call.place().longitude()));
     }
     if (ports.transport().capable(call.percept()).isEmpty()) {
+      List<String> ambiguous = ports.transport().ambiguous(call.percept());
+      if (!ambiguous.isEmpty()) {
+        throw new HelpRefusedException(
+            robot
+                + " calls nobody who can observe \""
+                + call.percept()
+                + "\": "
+                + String.join("; ", ambiguous)
+                + "; give each a name of its own in its XML");
+      }
       List<String> known = ports.transport().percepts();
       throw new HelpRefusedException(
           "nobody in reach of "

@@ -1,10 +1,16 @@
 package org.dfra.recruit.agent;
 
 import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.core.chain.Errands;
 import org.dfra.core.module.ModuleContext;
@@ -22,6 +28,9 @@ import org.slf4j.Logger;
  * its own here while letters wait for it, so one that does not answer holds up its own letters
  * only. At most {@value #WAITING} letters wait for a robot; further ones are lost. So is a letter
  * that cannot be brought.
+ *
+ * <p>A letter names its receiver by the robot's name alone. Where several robots have that name,
+ * also where one of them is out of reach, nothing is sent to it: a log line says so once.
  */
 public final class DirectoryTransport implements Transport, AutoCloseable {
 
@@ -40,6 +49,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   private final ModuleContext context;
   private final Logger log;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
+  private final Map<String, String> warned = new ConcurrentHashMap<>(); // by robot
   private volatile boolean isClosed;
 
   /**
@@ -58,6 +68,27 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
 
   @Override
   public List<String> capable(String percept) {
+    Map<String, List<ModuleListing<RecruitmentAgent>>> agents = byRobot();
+    return observing(percept).stream()
+        .filter(robot -> hosts(agents.getOrDefault(robot, List.of())).size() <= 1)
+        .toList();
+  }
+
+  @Override
+  public List<String> ambiguous(String percept) {
+    Map<String, List<ModuleListing<RecruitmentAgent>>> agents = byRobot();
+    return observing(percept).stream()
+        .flatMap(robot -> ambiguity(robot, agents.getOrDefault(robot, List.of())).stream())
+        .toList();
+  }
+
+  private Map<String, List<ModuleListing<RecruitmentAgent>>> byRobot() {
+    return others(ModuleQuery.of(RecruitmentAgent.class)).stream()
+        .collect(Collectors.groupingBy(ModuleListing::robot));
+  }
+
+  /** Names of the other robots that say that they can observe it. */
+  private List<String> observing(String percept) {
     return others(
             ModuleQuery.of(RecruitmentAgent.class)
                 .where(RecruitmentAttributes.class, "percepts", Condition.contains(percept)))
@@ -65,6 +96,32 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
         .map(ModuleListing::robot)
         .distinct()
         .toList();
+  }
+
+  /**
+   * The hosts of the robots that agents belong to, one for each robot: two of one host and module
+   * name are those of two robots too.
+   */
+  private static List<String> hosts(List<ModuleListing<RecruitmentAgent>> agents) {
+    Map<String, Integer> robots = new TreeMap<>(); // how many on a host
+    Map<String, Integer> modules = new HashMap<>();
+    for (ModuleListing<RecruitmentAgent> each : agents) {
+      int sameModule = modules.merge(each.host() + "/" + each.name(), 1, Integer::sum);
+      robots.merge(each.host(), sameModule, Math::max);
+    }
+    List<String> hosts = new ArrayList<>();
+    robots.forEach((host, count) -> hosts.addAll(Collections.nCopies(count, host)));
+    return hosts;
+  }
+
+  /** That several robots have the name, in a clause; empty where only one has. */
+  private static Optional<String> ambiguity(
+      String robot, List<ModuleListing<RecruitmentAgent>> agents) {
+    List<String> hosts = hosts(agents);
+    return hosts.size() <= 1
+        ? Optional.empty()
+        : Optional.of(
+            hosts.size() + " robots are named " + robot + ", on " + String.join(" and ", hosts));
   }
 
   @Override
@@ -135,6 +192,18 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   private void deliver(String robot, Letter letter) {
     List<ModuleListing<RecruitmentAgent>> found =
         context.directory().find(ModuleQuery.of(RecruitmentAgent.class).robot(robot));
+    Optional<String> ambiguity = ambiguity(robot, found);
+    if (ambiguity.isPresent()) {
+      if (!ambiguity.get().equals(warned.put(robot, ambiguity.get()))) {
+        log.warn(
+            "{}: nothing is sent to {}: {}; give each a name of its own in its XML",
+            context.path(),
+            robot,
+            ambiguity.get());
+      }
+      return;
+    }
+    warned.remove(robot);
     if (found.isEmpty()) {
       log.debug("{}: {} is not there any more", context.path(), robot);
       return;

@@ -45,6 +45,11 @@ public final class LossyTransport implements Transport {
   }
 
   @Override
+  public List<String> ambiguous(String percept) {
+    return real.ambiguous(percept);
+  }
+
+  @Override
   public List<String> percepts() {
     return real.percepts();
   }

@@ -10,13 +10,24 @@ import org.dfra.recruit.message.Letter;
  */
 public interface Transport {
 
-  /** Names of the other robots whose agents say that they can observe it, as far as is known. */
+  /**
+   * Names of the other robots whose agents say that they can observe it, as far as is known. A name
+   * that several robots have is left out: see {@link #ambiguous}.
+   */
   List<String> capable(String percept);
+
+  /**
+   * Why nothing is sent to robots that say that they can observe it: each name that several robots
+   * have, in a clause with their hosts. Empty where every robot has a name of its own.
+   */
+  default List<String> ambiguous(String percept) {
+    return List.of();
+  }
 
   /** Every percept that another robot says it can observe, in alphabetical order. */
   List<String> percepts();
 
-  /** To one robot. */
+  /** To one robot. It is lost where several robots have that name, so no other robot gets it. */
   void send(String robot, Letter letter);
 
   /** To all that can observe it, with one transmission where the network can do that. */

@@ -10,6 +10,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -24,9 +25,11 @@ import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.Locality;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.Described;
+import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.Letter;
@@ -134,6 +137,29 @@ class DirectoryTransportTest {
     Object unused = directory.add(other);
   }
 
+  /** One of a robot on a host of its own. */
+  private UUID agentAt(String host, String robot, Taking taking) {
+    Other other = new Other(context(robot), taking);
+    made.add(other);
+    other.start();
+    UUID id = UUID.randomUUID();
+    List<Attributes> attributes = new ArrayList<>(other.attributes());
+    attributes.add(
+        new ModuleAttributes(
+            robot,
+            "agent",
+            Other.class.getName(),
+            host,
+            "DFRA",
+            "1",
+            Readiness.READY,
+            Instant.EPOCH,
+            null,
+            0));
+    directory.put(id, other, attributes, Locality.REMOTE);
+    return id;
+  }
+
   private static Letter letter(long number) {
     return new Letter(
         "uav", number, Instant.EPOCH, new Release(new Conversation("uav", 1), "enough", false));
@@ -179,10 +205,10 @@ class DirectoryTransportTest {
   }
 
   /** Names of threads that wait for letters, or bring one. */
-  private static List<String> couriers() {
+  private static List<String> couriers(String robots) {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
-        .filter(name -> name.startsWith("dfra-letters uav/agent to courier-"))
+        .filter(name -> name.startsWith("dfra-letters uav/agent to " + robots))
         .toList();
   }
 
@@ -194,11 +220,40 @@ class DirectoryTransportTest {
       transport.send("courier-" + robot, letter(robot)); // gone, each under a name of its own
     }
     transport.send("courier-taker", letter(7));
-    await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers()).isEmpty());
+    await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers("courier-")).isEmpty());
     transport.send("courier-taker", letter(8));
     await()
         .atMost(PATIENCE)
         .untilAsserted(() -> assertThat(taken).as("in order").containsExactly(7L, 8L));
+  }
+
+  @Test
+  void noneOfTwoRobotsOfOneNameGetsALetter() {
+    List<Long> first = new CopyOnWriteArrayList<>();
+    List<Long> second = new CopyOnWriteArrayList<>();
+    List<Long> other = new CopyOnWriteArrayList<>();
+    UUID wrong = agentAt("10.0.0.5", "atrv1", letter -> first.add(letter.number()));
+    UUID right = agentAt("10.0.0.6", "atrv1", letter -> second.add(letter.number()));
+    agent("atrv2", letter -> other.add(letter.number()));
+    assertThat(transport.capable("mine")).containsExactly("atrv2");
+    assertThat(transport.ambiguous("mine"))
+        .containsExactly("2 robots are named atrv1, on 10.0.0.5 and 10.0.0.6");
+    assertThat(transport.ambiguous("gold")).isEmpty();
+    transport.send("atrv1", letter(1));
+    transport.broadcast("mine", letter(2));
+    await().atMost(PATIENCE).until(() -> other.contains(2L));
+
+    directory.loseSightOf(wrong);
+    transport.send("atrv1", letter(3)); // the one that is out of reach may be meant
+    await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers("atrv1")).isEmpty());
+
+    directory.remove(wrong);
+    assertThat(transport.ambiguous("mine")).isEmpty();
+    assertThat(transport.capable("mine")).containsExactlyInAnyOrder("atrv1", "atrv2");
+    transport.send("atrv1", letter(4));
+    await().atMost(PATIENCE).until(() -> second.contains(4L));
+    assertThat(second).as("%s", right).containsExactly(4L);
+    assertThat(first).isEmpty();
   }
 
   @Test

@@ -12,8 +12,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
@@ -22,10 +24,15 @@ import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.Locality;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Watch;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
 import org.dfra.recruit.message.Letter;
 import org.dfra.recruit.transport.VirtualTime;
 import org.junit.jupiter.api.AfterEach;
@@ -91,6 +98,42 @@ class RecruitmentAgentImplTest {
     uav.release();
     assertThatThrownBy(() -> uav.help(call("gold")))
         .hasMessage("nobody in reach of uav can observe \"gold\"; others observe heat, mine");
+  }
+
+  @Test
+  void noneOfTwoRobotsOfOneNameIsAsked() {
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    ModuleListing<RecruitmentAgent> one =
+        directory.find(ModuleQuery.of(RecruitmentAgent.class).robot("ugv1")).get(0);
+    directory.put(
+        UUID.randomUUID(),
+        one.module(),
+        one.attributes().stream().map(each -> elsewhere(each)).toList(),
+        Locality.REMOTE);
+    time.advance(Duration.ofSeconds(1));
+    assertThatThrownBy(() -> uav.help(call("mine")))
+        .isInstanceOf(HelpRefusedException.class)
+        .hasMessage(
+            "uav calls nobody who can observe \"mine\": 2 robots are named ugv1, on 10.0.0.6 and"
+                + " localhost; give each a name of its own in its XML");
+    assertThat(heard).isEmpty();
+  }
+
+  private static Attributes elsewhere(Attributes one) {
+    return one instanceof ModuleAttributes module
+        ? new ModuleAttributes(
+            module.robot(),
+            module.name(),
+            module.driver(),
+            "10.0.0.6",
+            module.author(),
+            module.version(),
+            module.state(),
+            module.created(),
+            module.activated(),
+            module.clients())
+        : one;
   }
 
   @Test

@@ -48,7 +48,7 @@ final class BootstrapLoader {
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
-      PhoenixProcess phoenix,
+      PhoenixCalls phoenix,
       String robot,
       AdministrationDescription administration,
       Optional<RobotClasses> classes,

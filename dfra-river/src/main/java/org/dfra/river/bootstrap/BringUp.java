@@ -62,7 +62,7 @@ final class BringUp {
   }
 
   BringUp(
-      PhoenixProcess phoenix,
+      PhoenixCalls phoenix,
       RobotDescription robot,
       BootstrapLoader loader,
       RobotRegistrar registrar,

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.GroupStatus.State;
-import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.phoenix.ProcessIdentity;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -21,16 +21,17 @@ final class GroupEnd {
 
   private static final Logger LOG = LoggerFactory.getLogger(GroupEnd.class);
 
-  private final PhoenixProcess phoenix;
-  private final PhoenixAdmin admin;
+  /** The number of a process where there is none. */
+  private static final long NONE = -1;
+
+  private final PhoenixCalls phoenix;
   private final Patience patience;
 
   /**
    * @param patience for phoenix's answers
    */
-  GroupEnd(PhoenixProcess phoenix, Patience patience) {
+  GroupEnd(PhoenixCalls phoenix, Patience patience) {
     this.phoenix = phoenix;
-    this.admin = phoenix.admin();
     this.patience = patience;
   }
 
@@ -63,7 +64,7 @@ final class GroupEnd {
 
   /** What phoenix says of all groups. */
   List<GroupStatus> statuses() throws IOException, ActivationException {
-    return patience.ask(admin::groupStatus);
+    return patience.ask(phoenix.admin()::groupStatus);
   }
 
   /** A group's name as the bootstrap gave it, without phoenix's number. */
@@ -73,7 +74,7 @@ final class GroupEnd {
 
   /** Has a group's process end in an orderly way; does not wait for it. */
   void begin(String name) throws IOException, ActivationException {
-    status(name).flatMap(GroupEnd::process).ifPresent(ProcessHandle::destroy);
+    process(status(name)).ifPresent(process -> process.destroy(false));
   }
 
   /**
@@ -84,13 +85,13 @@ final class GroupEnd {
    */
   void end(String name, Duration time) throws IOException, ActivationException {
     Patience polite = Patience.of(time);
-    @Nullable ProcessHandle ended = null;
+    @Nullable ProcessIdentity ended = null;
     while (true) {
       Optional<GroupStatus> status = status(name);
       if (status.isEmpty() || status.get().state() == State.IDLE) {
         return;
       }
-      ended = end(name, process(status.get()), ended, polite);
+      ended = end(name, process(status), ended, polite);
     }
   }
 
@@ -101,31 +102,32 @@ final class GroupEnd {
    * @param time how long it may take before it is killed
    */
   void restart(String name, Duration time) throws IOException, ActivationException {
-    Optional<ProcessHandle> old = status(name).flatMap(GroupEnd::process);
+    Optional<ProcessIdentity> old = process(status(name));
     Patience polite = Patience.of(time);
-    @Nullable ProcessHandle ended = null;
-    while (old.isPresent()
-        && old.get().isAlive()
-        && status(name).flatMap(GroupEnd::process).equals(old)) {
+    @Nullable ProcessIdentity ended = null;
+    while (old.isPresent() && old.get().isAlive() && process(status(name)).equals(old)) {
       ended = end(name, old, ended, polite);
     }
   }
 
-  private static Optional<ProcessHandle> process(GroupStatus status) {
-    return status.pid() < 0 ? Optional.empty() : ProcessHandle.of(status.pid());
+  /** A group's process; empty where it has none, or that has just died. */
+  private static Optional<ProcessIdentity> process(Optional<GroupStatus> status)
+      throws IOException {
+    long pid = status.map(GroupStatus::pid).orElse(NONE);
+    return pid < 0 ? Optional.empty() : ProcessIdentity.find(pid);
   }
 
   /** Ends it, politely the first time, by force when its time is over; returns which it was. */
-  private static @Nullable ProcessHandle end(
+  private static @Nullable ProcessIdentity end(
       String name,
-      Optional<ProcessHandle> process,
-      @Nullable ProcessHandle before,
+      Optional<ProcessIdentity> process,
+      @Nullable ProcessIdentity before,
       Patience polite) {
     if (process.isPresent() && !process.get().equals(before)) {
-      process.get().destroy();
+      process.get().destroy(false);
     } else if (process.isPresent() && polite.isOver()) {
       LOG.warn("Process {} of group {} did not end; it is killed.", process.get().pid(), name);
-      process.get().destroyForcibly();
+      process.get().destroy(true);
     }
     polite.pause();
     return process.orElse(before);

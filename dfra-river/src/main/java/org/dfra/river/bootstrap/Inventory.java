@@ -123,8 +123,12 @@ public final class Inventory {
    */
   public static List<ServiceGroup> of(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {
-    PhoenixAdmin admin = phoenix.admin();
-    return Patience.of(time).ask(() -> read(admin));
+    return of(phoenix.admin(), Patience.of(time));
+  }
+
+  static List<ServiceGroup> of(PhoenixAdmin admin, Patience patience)
+      throws IOException, ActivationException {
+    return patience.ask(() -> read(admin));
   }
 
   private static List<ServiceGroup> read(PhoenixAdmin admin)

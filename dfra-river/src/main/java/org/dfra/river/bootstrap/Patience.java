@@ -1,8 +1,12 @@
 package org.dfra.river.bootstrap;
 
+import java.io.EOFException;
 import java.io.IOException;
+import java.net.SocketException;
 import java.rmi.ConnectException;
 import java.rmi.ConnectIOException;
+import java.rmi.MarshalException;
+import java.rmi.UnmarshalException;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
@@ -17,8 +21,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class Patience {
 
+  private static final String ASKED = "phoenix, or what it has started,";
   private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
+  private final Duration time;
   private final LongSupplier nanos;
   private final Runnable pause;
   private final long end;
@@ -29,6 +35,7 @@ final class Patience {
    * @param pause waits a moment, so that a refused connection is not tried in a tight loop
    */
   Patience(Duration time, LongSupplier nanos, Runnable pause) {
+    this.time = time;
     this.nanos = nanos;
     this.pause = pause;
     this.end = nanos.getAsLong() + time.toNanos();
@@ -47,16 +54,23 @@ final class Patience {
   /**
    * The answer. Only where none comes is the question asked again; a refusal is an answer.
    *
-   * @throws IOException as the question does; that no answer came only when the time is over
-   * @throws ActivationException likewise
+   * @throws NoAnswerException if no answer came when the time is over
+   * @throws IOException as the question does
+   * @throws ActivationException likewise; also if no answer came from what phoenix asked itself
    */
   <T> T ask(Question<T> question) throws IOException, ActivationException {
     while (true) {
       try {
         return question.ask();
       } catch (IOException | ActivationException e) {
-        if (!isWithoutAnswer(e) || isOver()) {
+        if (!isWithoutAnswer(e)) {
           throw e;
+        }
+        if (isOver()) {
+          if (e instanceof ActivationException) {
+            throw e;
+          }
+          throw new NoAnswerException(ASKED, time, e);
         }
         pause();
       }
@@ -78,6 +92,11 @@ final class Patience {
             });
   }
 
+  /** How long the command may take. */
+  Duration time() {
+    return time;
+  }
+
   /** Whether the command's time is over. */
   boolean isOver() {
     return nanos.getAsLong() - end >= 0;
@@ -90,6 +109,9 @@ final class Patience {
 
   /** Whether nobody answered, rather than that somebody refused. */
   static boolean isWithoutAnswer(Throwable failure) {
+    if (isCutOff(failure)) {
+      return true;
+    }
     for (@Nullable Throwable at = failure; at != null; at = at.getCause()) {
       if (at instanceof DeadlineExceededException
           || at instanceof ConnectException
@@ -98,5 +120,12 @@ final class Patience {
       }
     }
     return false;
+  }
+
+  /** Whether the connection ended while the call itself was under way. */
+  private static boolean isCutOff(Throwable failure) {
+    return (failure instanceof MarshalException || failure instanceof UnmarshalException)
+        && (failure.getCause() instanceof EOFException
+            || failure.getCause() instanceof SocketException);
   }
 }

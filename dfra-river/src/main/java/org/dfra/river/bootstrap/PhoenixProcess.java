@@ -2,6 +2,7 @@ package org.dfra.river.bootstrap;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationSystem;
@@ -12,9 +13,12 @@ import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.river.call.DeadlineExceededException;
+import org.dfra.river.call.Refusal;
+import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixLocator;
+import org.dfra.river.phoenix.ProcessIdentity;
 
 /**
  * Step 1 of the bootstrap: phoenix, in a process of its own.
@@ -55,25 +59,79 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Whether a phoenix answers there. One that is there and does not answer is asked again: on a
+   * Whether a phoenix answers there. One that may be there and does not answer is asked again: on a
    * busy computer that is no sign of death.
    *
-   * @param patience how long to ask
+   * @param time how long to ask
+   * @return false if nobody listens there, what answers is no phoenix, or the process that owned
+   *     the journal has certainly ended
+   * @throws NoAnswerException if nothing of that is known when the time is over
    */
-  public boolean answers(Duration patience) {
-    Patience asking = Patience.of(patience);
+  public boolean answers(Duration time) throws NoAnswerException {
+    try {
+      List<GroupStatus> unused = groupStatus(DEADLINE, time);
+      return true;
+    } catch (NoAnswerException e) {
+      throw e;
+    } catch (RemoteException e) {
+      return false;
+    }
+  }
+
+  /**
+   * How its groups are; asked as in {@link #answers(Duration)}.
+   *
+   * @param deadline how long each answer is awaited
+   * @param time how long to ask
+   * @throws NoAnswerException if it may be there and has not answered when the time is over
+   * @throws RemoteException if none is there
+   */
+  public List<GroupStatus> groupStatus(Duration deadline, Duration time) throws RemoteException {
+    return groupStatus(admin(deadline), Patience.of(time));
+  }
+
+  /** The same, with a phoenix and a time that may be a test's. */
+  List<GroupStatus> groupStatus(PhoenixAdmin admin, Patience asking) throws RemoteException {
     while (true) {
       try {
-        admin().groupStatus();
-        return true;
-      } catch (DeadlineExceededException e) {
-        if (asking.isOver()) {
-          return false;
-        }
+        return admin.groupStatus();
       } catch (RemoteException e) {
-        return false;
+        if (Refusal.isProvenBy(e) || !Patience.isWithoutAnswer(e)) {
+          throw e;
+        }
+        boolean mayHang = e instanceof DeadlineExceededException;
+        if ((!mayHang || asking.isOver()) && hasCertainlyEnded()) {
+          throw e; // the address may not be this computer's any more
+        }
+        if (asking.isOver()) {
+          throw new NoAnswerException("phoenix at " + host + ":" + port, asking.time(), e);
+        }
+        asking.pause();
       }
     }
+  }
+
+  /** Whether no process can be the phoenix that owns the journal. */
+  private boolean hasCertainlyEnded() {
+    try {
+      long owner = owner();
+      return ProcessIdentity.find(owner).isEmpty() || !isPhoenix(owner);
+    } catch (NoSuchFileException e) {
+      return true; // none has ever had it, or its process ended meanwhile
+    } catch (IOException | NumberFormatException e) {
+      return false;
+    }
+  }
+
+  private long owner() throws IOException {
+    return Long.parseLong(
+        Files.readString(state.resolve("journal").resolve("phoenix.lock")).strip());
+  }
+
+  /** Where processes cannot be looked at, each may be one. */
+  private static boolean isPhoenix(long pid) throws IOException {
+    Path command = Path.of("/proc", Long.toString(pid), "cmdline"); // ProcessHandle cuts it short
+    return !Files.exists(Path.of("/proc/self")) || Files.readString(command).contains(MAIN);
   }
 
   /** The administrator's view of it. */
@@ -87,12 +145,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    */
   public OptionalLong pid() {
     try {
-      String owner = Files.readString(state.resolve("journal").resolve("phoenix.lock")).strip();
-      Path command = Path.of("/proc", owner, "cmdline"); // ProcessHandle cuts long ones short
-      boolean isPhoenix =
-          !Files.exists(Path.of("/proc/self")) || Files.readString(command).contains(MAIN);
-      long pid = Long.parseLong(owner);
-      return isPhoenix && ProcessHandle.of(pid).isPresent()
+      long pid = owner();
+      return isPhoenix(pid) && ProcessHandle.of(pid).isPresent()
           ? OptionalLong.of(pid)
           : OptionalLong.empty();
     } catch (IOException | NumberFormatException e) {
@@ -157,14 +211,15 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Ends phoenix and every group, and waits until it does not answer any more.
+   * Ends phoenix and every group, and waits until nobody listens at its address any more: a missed
+   * answer does not count as its end.
    *
    * @throws IOException if it refuses or does not end in time
    */
   public void shutdown(Duration patience) throws IOException {
     long end = System.nanoTime() + patience.toNanos();
     boolean isAccepted = false;
-    while (answers()) {
+    while (mayAnswer()) {
       if (System.nanoTime() - end > 0) {
         throw new IOException("phoenix did not end within " + patience.toSeconds() + " s");
       }
@@ -179,6 +234,15 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
         }
       }
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
+    }
+  }
+
+  private boolean mayAnswer() {
+    try {
+      List<GroupStatus> unused = admin().groupStatus();
+      return true;
+    } catch (RemoteException e) {
+      return Patience.isWithoutAnswer(e) && !Refusal.isProvenBy(e) && !hasCertainlyEnded();
     }
   }
 

@@ -98,7 +98,8 @@ public final class RobotBootstrap {
     known.remember(robot);
     LaunchedJars.keepFor(phoenix.state()); // before its journal names them
     try {
-      return new BringUp(phoenix, robot, loader, registrar, settings(), patience, listener).run();
+      PhoenixCalls calls = PhoenixCalls.to(phoenix);
+      return new BringUp(calls, robot, loader, registrar, settings(), patience, listener).run();
     } catch (ActivationException | IOException | RuntimeException e) {
       if (!wasKnown) {
         forgetUnlessRegistered(known, loader, e);
@@ -184,7 +185,7 @@ public final class RobotBootstrap {
 
   private BootstrapLoader loader(Patience patience) throws IOException {
     return new BootstrapLoader(
-        phoenix, robot.name(), robot.administration(), classes(), patience);
+        PhoenixCalls.to(phoenix), robot.name(), robot.administration(), classes(), patience);
   }
 
   /**
@@ -298,7 +299,7 @@ public final class RobotBootstrap {
 
   /** Before a driver is started: one that phoenix has forgotten may have its device. */
   private void endForgotten(Patience patience) throws ActivationException, IOException {
-    new ForgottenServices(new GroupEnd(phoenix, patience))
+    new ForgottenServices(new GroupEnd(PhoenixCalls.to(phoenix), patience))
         .end(
             robot.name(),
             step ->

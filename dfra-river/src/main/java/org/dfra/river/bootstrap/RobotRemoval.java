@@ -30,9 +30,13 @@ public final class RobotRemoval {
 
   private record Group(ActivationGroupID id, String name, boolean registrar) {}
 
-  private RobotRemoval(PhoenixProcess phoenix, Duration time) {
+  /**
+   * @param patience for phoenix's answers
+   * @param time for the end of one process
+   */
+  RobotRemoval(PhoenixCalls phoenix, Patience patience, Duration time) {
     this.admin = phoenix.admin();
-    this.patience = Patience.of(time);
+    this.patience = patience;
     this.end = new GroupEnd(phoenix, patience);
     this.time = time;
   }
@@ -45,21 +49,21 @@ public final class RobotRemoval {
    */
   public static void of(PhoenixProcess phoenix, String robot, Duration time)
       throws IOException, ActivationException {
-    new RobotRemoval(phoenix, time).remove(name -> name.startsWith(robot + "."));
+    of(phoenix, time).remove(robot);
     new KnownRobots(phoenix.state()).forget(robot);
   }
 
   /** Removes all robots, as {@link #of}. */
   public static void ofAll(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {
-    new RobotRemoval(phoenix, time).remove(name -> true);
+    of(phoenix, time).remove(name -> true);
     new KnownRobots(phoenix.state()).forgetAll();
   }
 
   /** Names of the robots that have a group registered with a phoenix, in alphabetical order. */
   public static List<String> robots(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {
-    return new RobotRemoval(phoenix, time)
+    return of(phoenix, time)
         .names().values().stream()
             .map(name -> name.substring(0, name.indexOf('.')))
             .distinct()
@@ -80,6 +84,15 @@ public final class RobotRemoval {
           }
         });
     return names;
+  }
+
+  private static RobotRemoval of(PhoenixProcess phoenix, Duration time) {
+    return new RobotRemoval(PhoenixCalls.to(phoenix), Patience.of(time), time);
+  }
+
+  /** Has phoenix forget a robot's services and groups, whose processes end. */
+  void remove(String robot) throws IOException, ActivationException {
+    remove(name -> name.startsWith(robot + "."));
   }
 
   private void remove(Predicate<String> wanted) throws IOException, ActivationException {

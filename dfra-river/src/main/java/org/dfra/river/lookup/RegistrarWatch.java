@@ -16,6 +16,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import net.jini.core.entry.Entry;
+import net.jini.core.discovery.LookupLocator;
 import net.jini.core.event.EventRegistration;
 import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.RemoteEventListener;
@@ -77,6 +78,7 @@ final class RegistrarWatch implements AutoCloseable {
   private @Nullable EventRegistration registration; // by the thread
   private long sequence; // by the thread
   private long complete; // System.nanoTime when all was asked for; by the thread
+  private boolean located; // whether its computer was asked for; by the thread
   private long beaten = System.nanoTime(); // when the last heartbeat was sent; by the thread
 
   /**
@@ -212,12 +214,24 @@ final class RegistrarWatch implements AutoCloseable {
     }
     lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
     silent = false;
+    locate();
     faults.keySet().retainAll(items.keySet());
     sightings.all(id, items.values(), faults); // what can be used does not wait for what cannot
     findFaults(items.values());
     complete = System.nanoTime();
     read = true;
     reader.run();
+  }
+
+  /** Asks once which computer it runs on. */
+  private void locate() throws RemoteException {
+    if (!located) {
+      @Nullable LookupLocator locator = call(() -> registrar.getLocator());
+      if (locator != null) {
+        sightings.runsAt(id, locator.getHost());
+      }
+      located = true;
+    }
   }
 
   /** Finds why proxies could not be read, where that is not known yet. */

@@ -37,6 +37,7 @@ final class Sightings {
   private final BiFunction<UUID, List<Attributes>, Locality> locality;
   private final Map<UUID, Set<ServiceID>> holders = new HashMap<>(); // guarded by this
   private final Map<UUID, UnreadableModule> unreadable = new HashMap<>(); // guarded by this
+  private final Map<UUID, String> hosts = new HashMap<>(); // of lookup services; guarded by this
   private final Set<ServiceID> withinReach = new HashSet<>(); // guarded by this
 
   /**
@@ -45,6 +46,18 @@ final class Sightings {
   Sightings(ModuleTable table, BiFunction<UUID, List<Attributes>, Locality> locality) {
     this.table = table;
     this.locality = locality;
+  }
+
+  /**
+   * A lookup service runs on this computer, and so does the robot whose lookup service it is.
+   *
+   * @param host address or name of the computer
+   */
+  synchronized void runsAt(ServiceID registrar, String host) {
+    UUID id = uuid(registrar);
+    if (!host.equals(hosts.put(id, host))) {
+      table.place(id, host);
+    }
   }
 
   /** A lookup service tells all that it holds. */
@@ -109,7 +122,7 @@ final class Sightings {
       if (robot == null) {
         return;
       }
-      table.put(id, robot);
+      table.put(id, robot, hosts.getOrDefault(id, ""));
     }
     holders.computeIfAbsent(id, key -> new HashSet<>()).add(registrar);
   }

@@ -14,6 +14,7 @@ import java.rmi.server.UID;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
+import org.dfra.river.call.Refusal;
 import org.dfra.river.phoenix.Group.Maker;
 import org.jspecify.annotations.Nullable;
 
@@ -97,7 +98,7 @@ final class ActivatableObject {
         last = e;
       } catch (ConnectException | ConnectIOException e) {
         madeIn = NEVER;
-        if (isRefused(e)) {
+        if (Refusal.isProvenBy(e)) { // else it may work, and this process have too many open files
           group.unusable(maker, true);
         }
         last = e;
@@ -124,20 +125,6 @@ final class ActivatableObject {
     if (retired) {
       throw new UnknownObjectException("the object was unregistered");
     }
-  }
-
-  /**
-   * Whether nobody listens where the group's process said that it would: only its computer can say
-   * that. What else keeps a connection from being made may be wrong here, such as too many open
-   * files, and proves nothing of the process.
-   */
-  private static boolean isRefused(Exception failure) {
-    for (@Nullable Throwable each = failure; each != null; each = each.getCause()) {
-      if (each instanceof java.net.ConnectException) {
-        return true;
-      }
-    }
-    return false;
   }
 
   private @Nullable MarshalledObject<? extends Remote> knownProxy() {

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.time.BootId;
@@ -27,7 +28,7 @@ import org.slf4j.LoggerFactory;
  * @param pid the process number
  * @param start when it started, in a form that only equality is asked of
  */
-record ProcessIdentity(long pid, String start) implements Serializable {
+public record ProcessIdentity(long pid, String start) implements Serializable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ProcessIdentity.class);
 
@@ -49,10 +50,31 @@ record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   /**
+   * The process that has a number now; empty where none has it.
+   *
+   * @throws IOException if that cannot be found out, as in a shortage of file descriptors
+   */
+  public static Optional<ProcessIdentity> find(long pid) throws IOException {
+    Sign sign = sign(pid);
+    if (sign instanceof Sign.Doubtful doubt) {
+      throw new IOException(
+          "whether process "
+              + pid
+              + " runs cannot be found out ("
+              + doubt.why().getMessage()
+              + "); end what holds too many files open, and try again",
+          doubt.why());
+    }
+    return sign instanceof Sign.Lives lives
+        ? Optional.of(new ProcessIdentity(pid, lives.start()))
+        : Optional.empty();
+  }
+
+  /**
    * Whether this very process still runs, as far as is known: true also where that cannot be found
    * out now. A process that has ended but is unburied does not run.
    */
-  boolean isAlive() {
+  public boolean isAlive() {
     Sign sign = sign(pid);
     return sign instanceof Sign.Lives lives
         ? lives.start().equals(start)
@@ -68,7 +90,7 @@ record ProcessIdentity(long pid, String start) implements Serializable {
    * Asks the process to end, or ends it; does nothing where it has ended. Where it is not known
    * whether its number is another process's by now, that is left alone, and said.
    */
-  void destroy(boolean forcibly) {
+  public void destroy(boolean forcibly) {
     boolean asked =
         isCertainlyAlive()
             && ProcessHandle.of(pid)

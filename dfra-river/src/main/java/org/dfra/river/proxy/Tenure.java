@@ -15,6 +15,7 @@ import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.call.CallThreads;
+import org.dfra.river.call.Refusal;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.Task;
@@ -244,8 +245,8 @@ final class Tenure implements AutoCloseable {
     } catch (LeaseRevokedException e) {
       throw e;
     } catch (java.rmi.ConnectException | java.rmi.ConnectIOException e) {
-      if (!comesBack) {
-        throw e; // it may yet be renewed, and there is no other
+      if (!comesBack || !Refusal.isProvenBy(e)) {
+        throw e; // it may yet be renewed
       }
       return gone(e);
     } catch (UnknownLeaseException | LeaseDeniedException | java.rmi.NoSuchObjectException e) {

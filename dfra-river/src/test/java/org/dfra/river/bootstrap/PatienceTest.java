@@ -3,8 +3,12 @@ package org.dfra.river.bootstrap;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.EOFException;
 import java.net.BindException;
+import java.net.SocketException;
 import java.rmi.ConnectException;
+import java.rmi.MarshalException;
+import java.rmi.UnmarshalException;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -56,9 +60,39 @@ class PatienceTest {
                       asked.incrementAndGet();
                       throw new ConnectException("nobody there");
                     }))
-        .isInstanceOf(ConnectException.class);
+        .isInstanceOf(NoAnswerException.class)
+        .hasMessage(
+            "phoenix, or what it has started, did not answer within 10 s (nobody there); see"
+                + " whether its process hangs or the computer is overloaded: ./dfra doctor")
+        .hasRootCauseInstanceOf(ConnectException.class);
     assertThat(asked).as("once, and after each of five pauses of 2 s").hasValue(6);
     assertThat(patience.isOver()).isTrue();
+  }
+
+  @Test
+  void asksAgainWhereTheConnectionEndedBeforeTheAnswer() throws Exception {
+    patience.run(
+        () -> {
+          switch (asked.incrementAndGet()) {
+            case 1 -> throw new UnmarshalException("cut off", new EOFException());
+            case 2 -> throw new MarshalException("cut off", new SocketException("Broken pipe"));
+            default -> {}
+          }
+        });
+    assertThat(asked).hasValue(3);
+  }
+
+  @Test
+  void anAnswerThatCannotBeReadIsAnAnswer() {
+    assertThatThrownBy(
+            () ->
+                patience.run(
+                    () -> {
+                      asked.incrementAndGet();
+                      throw new UnmarshalException("unknown", new ClassNotFoundException("a.B"));
+                    }))
+        .isInstanceOf(UnmarshalException.class);
+    assertThat(asked).hasValue(1);
   }
 
   @Test

@@ -27,6 +27,7 @@ import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.effector.LeasedCommand;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.dfra.river.server.effector.DriveServer;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -82,6 +83,18 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     assertThatThrownBy(() -> remote.obey(dead.key(), new Velocity(0.5, 0)))
         .isInstanceOf(CommandRefusedException.class);
     proxy.command(Duration.ofSeconds(10)).close();
+  }
+
+  @Test
+  void aClientThatCallsTheServerWithoutAProxyStopsItWithAnyName() throws Exception {
+    RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
+    assertThat(remote.emergencyStop(null).by()).isEqualTo("somebody");
+    assertThat(remote.releaseStop(null).latched()).isFalse();
+    StopState stopped = remote.emergencyStop("\ud800" + "x".repeat(100_000));
+    assertThat(stopped.latched()).isTrue();
+    assertThat(stopped.by()).isEqualTo("x".repeat(120) + "…");
+    await().atMost(PATIENCE).until(() -> remote.stopState().resting());
+    assertThat(driver().told).containsOnly("halt");
   }
 
   @Test
@@ -187,12 +200,12 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     public void obey(CommandKey key, DriveCommand command) {}
 
     @Override
-    public StopState emergencyStop(String by) {
+    public StopState emergencyStop(@Nullable String by) {
       return StopState.NEVER;
     }
 
     @Override
-    public StopState releaseStop(String by) {
+    public StopState releaseStop(@Nullable String by) {
       return StopState.NEVER;
     }
 

@@ -28,6 +28,7 @@ import org.dfra.flow.effector.StoppedLeaseException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
 import org.dfra.persona.StopAttributes;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -120,6 +121,31 @@ abstract class EmergencyStopContract {
     try (CommandLease lease = effector().command(LEASE)) {
       effector().obey(lease.key(), AHEAD);
       assertThat(driver().told).containsExactly(TURNED);
+    }
+  }
+
+  /** A name as it may come with a stop, and what is kept of it. */
+  private record Name(@Nullable String given, String kept) {}
+
+  @Test
+  void isStoppedAndReleasedWhateverNameComesWithIt() throws Exception {
+    String longerThanAnyRequest = "x".repeat(10_000_000);
+    List<Name> names =
+        List.of(
+            new Name(null, "somebody"),
+            new Name(" \u0000\u202e\u2028\ud800\n", "somebody"),
+            new Name("ops\u0007\r\nat home", "ops at home"),
+            new Name(longerThanAnyRequest, "x".repeat(120) + "…"));
+    for (Name name : names) {
+      driver().told.clear();
+      StopState stopped = effector().emergencyStop(name.given());
+      assertThat(stopped.latched()).as(name.kept()).isTrue();
+      assertThat(stopped.by()).isEqualTo(name.kept());
+      await().atMost(PATIENCE).until(() -> effector().stopState().resting());
+      assertThat(driver().told).as(name.kept()).containsExactly("halt");
+      StopState released = effector().releaseStop(name.given());
+      assertThat(released.latched()).as(name.kept()).isFalse();
+      assertThat(released.by()).isEqualTo(name.kept());
     }
   }
 

@@ -6,6 +6,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.FileInputStream;
 import java.io.FileNotFoundException;
+import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,6 +45,14 @@ class ProcessIdentityTest {
     assertThat(identity.isAlive()).isTrue();
     assertThat(identity).isEqualTo(ProcessIdentity.of(child.toHandle()));
     assertThat(identity.awaitDeath(Duration.ofMillis(50))).as("ended within 50 ms").isFalse();
+  }
+
+  @Test
+  void aProcessIsFoundByItsNumber() throws Exception {
+    assertThat(ProcessIdentity.find(child.pid()))
+        .contains(ProcessIdentity.of(child.toHandle()));
+    child.destroyForcibly().waitFor();
+    assertThat(ProcessIdentity.find(child.pid())).isEmpty();
   }
 
   @Test
@@ -117,6 +126,8 @@ class ProcessIdentityTest {
             "dead when starved: true",
             "alive after it was to be ended: true",
             "a new one: cannot be identified",
+            "a search: cannot be found out",
+            "a search for the dead: false",
             "ended when fed: true",
             "a time says its boot when starved: true",
             "a time says its boot when fed: true");
@@ -150,6 +161,12 @@ class ProcessIdentityTest {
         } catch (UncheckedIOException unknown) {
           said.add("a new one: cannot be identified");
         }
+        try {
+          said.add("a search: " + ProcessIdentity.find(living.pid()));
+        } catch (IOException unknown) {
+          said.add("a search: cannot be found out");
+        }
+        said.add("a search for the dead: " + ProcessIdentity.find(dead.pid()).isPresent());
       }
       for (FileInputStream each : open) {
         each.close();

@@ -19,12 +19,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * A device behind a TCP port of the loopback interface, as one on a serial server.
  *
- * <p>It has one client at a time; a new one takes the place of the old, so that a computer that
- * fell off the network finds its device again. Bytes that come out while there is no client, or
- * while the client does not read, are lost, as on a serial line; a device that {@linkplain
- * SerialDevice#keepsBytes keeps} them is asked for more when the client has taken what came before.
- * What comes from the client is paced as by the device's line too. While the {@link #cable} is
- * pulled, no connection lasts.
+ * <p>It has one client at a time. A new one takes the place of an old one that has sent nothing for
+ * 3 s, so that a computer that fell off the network finds its device again; beside a client that
+ * sends, a new one is disconnected at once, so that a stranger cannot cut off the driver. Bytes
+ * that come out while there is no client, or while the client does not read, are lost, as on a
+ * serial line; a device that {@linkplain SerialDevice#keepsBytes keeps} them is asked for more when
+ * the client has taken what came before. What comes from the client is paced as by the device's
+ * line too. While the {@link #cable} is pulled, no connection lasts.
  *
  * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
  * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
@@ -37,6 +38,9 @@ public class DeviceEmulator implements AutoCloseable {
 
   /** Pieces that a device that keeps its bytes sends in one look at the most. */
   private static final int MOST_PIECES = 256;
+
+  /** Real time for which a client keeps its place after its last bytes. */
+  private static final long KEEPS_PLACE_NANOS = 3_000_000_000L;
 
   private final String name;
   private final int wantedPort;
@@ -185,6 +189,11 @@ public class DeviceEmulator implements AutoCloseable {
   private Client replace(@Nullable Client old, SocketChannel caller, Selector chosen)
       throws IOException {
     if (old != null) {
+      Instant now = clock.instant();
+      if (old.read(bytes -> cable.send(bytes, now)) && old.isActive()) {
+        caller.close();
+        return old;
+      }
       old.close();
       cable.disconnected();
     }
@@ -239,6 +248,9 @@ public class DeviceEmulator implements AutoCloseable {
     /** What a device that keeps its bytes has sent, and the network has not taken yet. */
     private ByteBuffer unsent = ByteBuffer.allocate(0);
 
+    private boolean hasSent;
+    private long lastSent;
+
     Client(SocketChannel channel, Selector selector) throws IOException {
       this.channel = channel;
       channel.configureBlocking(false);
@@ -252,12 +264,19 @@ public class DeviceEmulator implements AutoCloseable {
         in.clear();
         int count = channel.read(in);
         if (count > 0) {
+          hasSent = true;
+          lastSent = System.nanoTime();
           sink.accept(Arrays.copyOf(in.array(), count));
         }
         return count >= 0;
       } catch (IOException e) {
         return false;
       }
+    }
+
+    /** Whether it has sent something in the last seconds. */
+    boolean isActive() {
+      return hasSent && System.nanoTime() - lastSent < KEEPS_PLACE_NANOS;
     }
 
     /** Sends what the network takes now; the rest stays. False when the client has gone. */

@@ -1,6 +1,7 @@
 package org.dfra.app.raster.live;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -20,6 +21,7 @@ import org.dfra.app.raster.MissionListener;
 import org.dfra.app.raster.RobotLog;
 import org.dfra.app.raster.Scenario;
 import org.dfra.behavior.RasterGoal;
+import org.dfra.behavior.RasterSearch;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.world.Collision;
@@ -102,16 +104,10 @@ public final class Watch<R> {
     Instant begin = clock.instant();
     for (int i = 0; i < robots.size(); i++) {
       robots.get(i).log().begin(begin);
-      var unused =
-          robots
-              .get(i)
-              .search()
-              .pursue(
-                  new RasterGoal(
-                      scenario.region().corners(),
-                      scenario.swath(),
-                      scenario.spacing(),
-                      i % 2 == 1));
+      submit(
+          robots.get(i).search(),
+          new RasterGoal(
+              scenario.region().corners(), scenario.swath(), scenario.spacing(), i % 2 == 1));
     }
     Scene<R> scene = new Scene<>(robots, truth, clock, speed, begin, field, figures, this::note);
     try {
@@ -119,6 +115,20 @@ public final class Watch<R> {
     } finally {
       troubles.forEach(Trouble::close);
       robots.forEach(each -> each.hearing().close());
+    }
+  }
+
+  /**
+   * Submits a goal. Nobody else commands the demonstration's robots, so one that pursues a goal
+   * after a lost answer pursues this one; one that does not is asked once more.
+   */
+  private static void submit(RasterSearch search, RasterGoal goal) throws RemoteException {
+    try {
+      var unused = search.pursue(goal);
+    } catch (RemoteException e) {
+      if (!search.status().phase().isUnderWay()) {
+        var unused = search.pursue(goal);
+      }
     }
   }
 

@@ -84,6 +84,11 @@ final class EmbeddedVenue implements Venue {
     }
 
     @Override
+    public List<String> ambiguous(String percept) {
+      return real.ambiguous(percept);
+    }
+
+    @Override
     public List<String> percepts() {
       return real.percepts();
     }

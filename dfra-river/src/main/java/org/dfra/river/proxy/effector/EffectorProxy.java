@@ -15,6 +15,7 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.proxy.ProxyCommandLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.LeasedCommand;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Smart proxy of an effector.
@@ -48,14 +49,15 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
     target().obey(key, command);
   }
 
+  /** {@inheritDoc} The name is shortened here: a request that is too long would be refused. */
   @Override
-  public final StopState emergencyStop(String by) throws RemoteException {
-    return target().emergencyStop(by);
+  public final StopState emergencyStop(@Nullable String by) throws RemoteException {
+    return target().emergencyStop(StopState.requesterName(by));
   }
 
   @Override
-  public final StopState releaseStop(String by) throws RemoteException {
-    return target().releaseStop(by);
+  public final StopState releaseStop(@Nullable String by) throws RemoteException {
+    return target().releaseStop(StopState.requesterName(by));
   }
 
   @Override

@@ -64,12 +64,12 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
   }
 
   @Override
-  public final StopState emergencyStop(String by) throws RemoteException {
+  public final StopState emergencyStop(@Nullable String by) throws RemoteException {
     return module().emergencyStop(by);
   }
 
   @Override
-  public final StopState releaseStop(String by) throws RemoteException {
+  public final StopState releaseStop(@Nullable String by) throws RemoteException {
     return module().releaseStop(by);
   }
 
