@@ -57,7 +57,8 @@ class LeaseViewTest {
     holders.add("atrv1/avoid", Set.of(ID)); // in the same process
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/avoid or atrv1/search");
-    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(new LeaseHandle(new UUID(0, 2)))).holderInWords())
+    LeaseHandle another = new LeaseHandle(new UUID(0, 2));
+    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(another)).holderInWords())
         .isEqualTo("a program at 192.0.2.7");
   }
 }

@@ -28,7 +28,8 @@ public final class Rules {
   /** As RFC 1123 has it, but for names of digits and dots only, which are meant as addresses. */
   private static final Pattern HOST_NAME =
       Pattern.compile(
-          "(?![0-9.]+$)[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?(\\.[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?)*");
+          "(?![0-9.]+$)[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?"
+              + "(\\.[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?)*");
 
   private static final int LAST_PORT = 65535;
 

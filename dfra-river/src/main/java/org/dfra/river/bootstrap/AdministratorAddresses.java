@@ -46,7 +46,8 @@ final class AdministratorAddresses {
           administration.place()
               + ": the administrator's host "
               + name
-              + " is not known; write its address, or mend the name in <administration from=\"…\">",
+              + " is not known; write its address, or mend the name in"
+              + " <administration from=\"…\">",
           e);
     }
   }

@@ -31,7 +31,10 @@ final class JrmpCallsExporter implements Exporter {
 
   private final Exporter underlying;
   private final String host;
-  private @Nullable Remote guarded; // guarded by this; JRMP holds what it exports weakly
+
+  /** Held here, since JRMP holds what it exports weakly. */
+  @SuppressWarnings("UnusedVariable")
+  private @Nullable Remote guarded; // guarded by this
 
   /**
    * @param underlying exports by JRMP

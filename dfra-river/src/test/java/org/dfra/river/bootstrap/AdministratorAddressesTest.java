@@ -22,7 +22,9 @@ class AdministratorAddressesTest {
     assertThat(AdministratorAddresses.resolve(from())).isEmpty();
     assertThat(AdministratorAddresses.resolve(from("10.0.0.7", "10.1.0.0/16", "fd00::/8")))
         .containsExactly(
-            AddressRange.of("10.0.0.7"), AddressRange.of("10.1.0.0/16"), AddressRange.of("fd00::/8"));
+            AddressRange.of("10.0.0.7"),
+            AddressRange.of("10.1.0.0/16"),
+            AddressRange.of("fd00::/8"));
     assertThat(AdministratorAddresses.resolve(from("localhost")))
         .contains(AddressRange.only(InetAddress.getByName("localhost")));
   }
