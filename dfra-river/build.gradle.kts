@@ -15,6 +15,7 @@ val dlJar = tasks.register<Jar>("dlJar") {
         "org/dfra/river/remote/**",
         "org/dfra/river/proxy/**",
         "org/dfra/river/entry/**",
+        "org/dfra/river/access/**",
         "org/dfra/river/call/**",
         "org/dfra/river/filter/**",
         "org/dfra/river/phoenix/JeriActivationID*.class",

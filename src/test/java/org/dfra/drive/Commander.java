@@ -54,7 +54,7 @@ public final class Commander implements AutoCloseable {
   }
 
   /** Whether it commands no more, since its command was refused or not answered. */
-  boolean hasGivenUp() {
+  public boolean hasGivenUp() {
     return driving.isDone();
   }
 

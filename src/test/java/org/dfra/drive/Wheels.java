@@ -28,11 +28,11 @@ public final class Wheels implements AutoCloseable {
   private final RflexDevice controller = new RflexDevice(body, time -> new Charge(25.2, 2, 0.75));
   private final DeviceEmulator emulator = new DeviceEmulator("rflex", 0, controller, CLOCK);
 
-  Wheels() throws IOException {
+  public Wheels() throws IOException {
     emulator.start();
   }
 
-  String url() {
+  public String url() {
     return emulator.url();
   }
 

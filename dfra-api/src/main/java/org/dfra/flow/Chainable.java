@@ -2,6 +2,7 @@ package org.dfra.flow;
 
 import java.rmi.RemoteException;
 import java.util.List;
+import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
 
 /**
@@ -40,6 +41,7 @@ public interface Chainable {
    * @param modules as many as there are input types, or none
    * @throws IllegalArgumentException if there are more or fewer, or one is no module's path
    */
+  @Administrative
   @Idempotent
   void setInputs(List<String> modules) throws RemoteException;
 
@@ -49,6 +51,7 @@ public interface Chainable {
    * @throws IllegalArgumentException if one is no module's path, is named twice, or there is no
    *     output
    */
+  @Administrative
   @Idempotent
   void setOutputs(List<String> modules) throws RemoteException;
 }

@@ -4,13 +4,12 @@ import java.io.Serializable;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
-import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A lease as its module sees it.
  *
- * @param id what administrators name it by
+ * @param handle what administrators name it by; it is no secret, see {@link LeaseHandle}
  * @param holder what its holder is
  * @param host address from which it was asked for; null where that is not known, and where the
  *     holder lives in the module's own virtual machine
@@ -20,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  *     since the holder lives in the module's own virtual machine
  */
 public record LeaseStatus(
-    UUID id,
+    LeaseHandle handle,
     Holder holder,
     @Nullable String host,
     Instant since,
@@ -29,7 +28,7 @@ public record LeaseStatus(
     implements Serializable {
 
   public LeaseStatus {
-    Objects.requireNonNull(id, "id");
+    Objects.requireNonNull(handle, "handle");
     Objects.requireNonNull(holder, "holder");
     Objects.requireNonNull(since, "since");
     Objects.requireNonNull(held, "held");

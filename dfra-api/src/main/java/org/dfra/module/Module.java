@@ -65,6 +65,7 @@ public interface Module {
   LogLevel logLevel() throws RemoteException;
 
   /** Sets how much the module writes to its log, from now on. */
+  @Administrative
   @Idempotent
   void setLogLevel(LogLevel level) throws RemoteException;
 
@@ -78,6 +79,7 @@ public interface Module {
    * @throws IllegalArgumentException if there is no such parameter, it cannot be set now, or the
    *     text is no value of it; the message says what would be
    */
+  @Administrative
   @Idempotent
   void setParameter(String name, String text) throws RemoteException;
 }

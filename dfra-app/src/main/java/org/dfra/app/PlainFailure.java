@@ -8,6 +8,7 @@ import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.AdministrationRefusedException;
 import org.dfra.module.NotReadyException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -37,6 +38,7 @@ final class PlainFailure implements IExecutionExceptionHandler {
         || e instanceof IOException
         || e instanceof ActivationException
         || e instanceof NotReadyException
+        || e instanceof AdministrationRefusedException
         || e instanceof LeaseRefusedException
         || e instanceof NoFontException
         || e instanceof IllegalArgumentException) { // what a module says of a wrong parameter

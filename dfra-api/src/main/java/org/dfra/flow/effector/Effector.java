@@ -4,6 +4,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import org.dfra.flow.Device;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
@@ -58,6 +59,7 @@ public interface Effector<C extends Command> extends Device {
    * @param by who releases it, for people; as for {@link #emergencyStop}
    * @return how it is now
    */
+  @Administrative
   StopState releaseStop(@Nullable String by) throws RemoteException;
 
   /** Whether it is stopped for an emergency. */

@@ -95,6 +95,7 @@ public final class DoctorCommand implements Callable<Integer> {
       checks.add(new ClockCheck(survey));
       checks.add(new ModuleCheck(survey));
       checks.add(new StopCheck(survey));
+      checks.add(ExposureCheck.of(team.knownRobots()));
       return Examination.of(checks);
     } catch (ConfigurationException | IOException e) {
       List<Finding> findings = new ArrayList<>(Examination.of(checks));

@@ -37,7 +37,9 @@ public enum Subject {
   /** A module that cannot be used now, or here. */
   MODULE,
   /** An effector that is stopped for an emergency. */
-  EMERGENCY_STOP;
+  EMERGENCY_STOP,
+  /** A robot that others can reach. */
+  EXPOSURE;
 
   /** Its name for people and programs, {@code boot-jar} say. It never changes. */
   public String id() {

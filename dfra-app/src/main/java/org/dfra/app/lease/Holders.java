@@ -6,26 +6,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.UUID;
 import org.dfra.app.team.Administration;
 import org.dfra.app.team.Inquiry;
 import org.dfra.app.team.Namesakes;
 import org.dfra.directory.ModuleListing;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.module.Module;
 
 /** Which modules hold which leases: each is asked for those that are held in its process. */
 final class Holders {
 
-  private final Map<UUID, Set<String>> modules = new HashMap<>();
+  private final Map<LeaseHandle, Set<String>> modules = new HashMap<>();
 
   /** One module's answer has come. */
-  Holders add(String module, Set<UUID> leases) {
+  Holders add(String module, Set<LeaseHandle> leases) {
     leases.forEach(each -> modules.computeIfAbsent(each, key -> new TreeSet<>()).add(module));
     return this;
   }
 
   /** The modules of the process that holds a lease; none where no module is known to hold it. */
-  List<String> of(UUID lease) {
+  List<String> of(LeaseHandle lease) {
     return List.copyOf(modules.getOrDefault(lease, Set.of()));
   }
 
@@ -38,7 +38,7 @@ final class Holders {
   static Holders among(List<ModuleListing<Module>> all, Duration deadline)
       throws InterruptedException {
     List<ModuleListing<Module>> asked = all.stream().filter(each -> !each.stale()).toList();
-    List<Set<UUID>> held =
+    List<Set<LeaseHandle>> held =
         Inquiry.of(
             asked,
             each -> () -> Administration.of(each).heldLeases(),

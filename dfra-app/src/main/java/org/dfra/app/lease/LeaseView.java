@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * A lease on a module; the components as in {@link LeaseStatus}.
  *
  * @param module the module's path, {@code robot/name}
+ * @param id its {@link LeaseHandle}, which is no secret
  * @param heldBy the modules of the process that holds it, one of which does; none where no module
  *     is known to
  * @param local whether its holder lives in the module's own virtual machine
@@ -38,7 +40,7 @@ record LeaseView(
   static LeaseView of(String module, LeaseStatus lease, List<String> heldBy) {
     return new LeaseView(
         module,
-        lease.id(),
+        lease.handle().value(),
         lease.holder(),
         heldBy,
         lease.isLocal(),

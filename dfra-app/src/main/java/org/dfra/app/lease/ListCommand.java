@@ -61,7 +61,7 @@ final class ListCommand implements Callable<Integer> {
         String path = Namesakes.path(each, all);
         try {
           for (LeaseStatus lease : Administration.of(each).leases()) {
-            leases.add(LeaseView.of(path, lease, holders.of(lease.id())));
+            leases.add(LeaseView.of(path, lease, holders.of(lease.handle())));
           }
         } catch (RemoteException | RuntimeException | LinkageError e) { // a foreign proxy's own
           if (module != null) {

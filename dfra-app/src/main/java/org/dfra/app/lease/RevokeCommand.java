@@ -10,6 +10,7 @@ import org.dfra.app.team.Team;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.Module;
 import org.dfra.river.remote.ModuleAdmin;
@@ -44,7 +45,7 @@ final class RevokeCommand implements Callable<Integer> {
       ModuleListing<Module> listing = module.in(team);
       ModuleAdmin admin = Administration.of(listing);
       LeaseView found = find(listing.path(), admin.leases());
-      if (!admin.revoke(found.id())) {
+      if (!admin.revoke(new LeaseHandle(found.id()))) {
         throw new CommandFailure(
             ExitCode.NOT_FOUND, "lease " + found.shortId() + " has just ended by itself");
       }

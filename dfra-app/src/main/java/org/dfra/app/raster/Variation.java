@@ -196,6 +196,7 @@ public final class Variation {
         robot.host(),
         robot.lookupGroups(),
         robot.locators(),
+        robot.administration(),
         robot.persona(),
         groups,
         robot.source());

@@ -104,7 +104,7 @@ class ListeningTest {
   @Test
   void saysSoWhenItsLeaseIsRevoked() {
     CompletableFuture<Long> run = listen(new Ear(1), 1, LONG);
-    assertThat(talker.leases().revoke(talker.leases().leases().get(0).id())).isTrue();
+    assertThat(talker.leases().revoke(talker.leases().leases().get(0).handle())).isTrue();
     assertThat(talker.events().entries()).as("it is told nothing more").isEmpty();
     assertThatThrownBy(run::get)
         .isInstanceOf(ExecutionException.class)

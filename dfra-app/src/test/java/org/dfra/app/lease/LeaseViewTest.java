@@ -7,12 +7,14 @@ import java.time.Instant;
 import java.util.Set;
 import java.util.UUID;
 import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.junit.jupiter.api.Test;
 
 class LeaseViewTest {
 
-  private static final UUID ID = UUID.fromString("7f73df46-0000-4000-8000-000000000000");
+  private static final LeaseHandle ID =
+      new LeaseHandle(UUID.fromString("7f73df46-0000-4000-8000-000000000000"));
 
   private static final Duration HELD = Duration.ofSeconds(90);
 
@@ -54,13 +56,14 @@ class LeaseViewTest {
     LeaseStatus lease =
         new LeaseStatus(
             ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofSeconds(1));
-    Holders holders = new Holders().add("atrv1/search", Set.of(ID, new UUID(0, 1)));
+    Holders holders = new Holders().add("atrv1/search", Set.of(ID, new LeaseHandle(new UUID(0, 1))));
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/search");
     holders.add("atrv1/avoid", Set.of(ID)); // in the same process
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/avoid or atrv1/search");
-    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(new UUID(0, 2))).holderInWords())
+    LeaseHandle another = new LeaseHandle(new UUID(0, 2));
+    assertThat(LeaseView.of("atrv1/drive", lease, holders.of(another)).holderInWords())
         .isEqualTo("a program at 192.0.2.7");
   }
 }

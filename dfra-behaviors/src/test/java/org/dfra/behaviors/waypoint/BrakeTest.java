@@ -110,7 +110,7 @@ class BrakeTest {
     UUID unused = goTo.pursue(TEN_METRES);
     drive();
     robot.drive.switchBrake(true);
-    robot.drive.leases().leases().forEach(lease -> robot.drive.leases().revoke(lease.id()));
+    robot.drive.leases().leases().forEach(lease -> robot.drive.leases().revoke(lease.handle()));
     staysPausedByTheBrake(goTo);
   }
 

@@ -143,7 +143,7 @@ class GoToWaypointTest {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
-    robot.drive.leases().leases().forEach(lease -> robot.drive.leases().revoke(lease.id()));
+    robot.drive.leases().leases().forEach(lease -> robot.drive.leases().revoke(lease.handle()));
     assertThat(robot.drive.turning).isEqualTo(Velocity.ZERO);
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
   }

@@ -18,6 +18,7 @@ import org.dfra.persona.PersonaAttributes;
  * @param lookupGroups discovery groups whose registrars the robot's modules join; none if empty
  * @param locators registrars joined by unicast, each as {@code jini://host} or {@code
  *     jini://host:port}
+ * @param administration from where it may be administered besides its own computer
  * @param persona the robot's role, goals and limitations, if they are written down
  * @param groups the service groups, at least one; at most one of them hosts the registrar
  * @param source the file that was read
@@ -27,6 +28,7 @@ public record RobotDescription(
     String host,
     List<String> lookupGroups,
     List<String> locators,
+    AdministrationDescription administration,
     Optional<PersonaAttributes> persona,
     List<GroupDescription> groups,
     Path source) {
@@ -64,7 +66,27 @@ public record RobotDescription(
     }
   }
 
-  /** A robot whose persona is not written down. */
+  /** A robot that is administered from its own computer only. */
+  public RobotDescription(
+      String name,
+      String host,
+      List<String> lookupGroups,
+      List<String> locators,
+      Optional<PersonaAttributes> persona,
+      List<GroupDescription> groups,
+      Path source) {
+    this(
+        name,
+        host,
+        lookupGroups,
+        locators,
+        AdministrationDescription.LOCAL,
+        persona,
+        groups,
+        source);
+  }
+
+  /** The same, whose persona is not written down. */
   public RobotDescription(
       String name,
       String host,
@@ -82,7 +104,8 @@ public record RobotDescription(
    * @param registrars each as {@code jini://host:port}
    */
   public RobotDescription among(List<String> registrars) {
-    return new RobotDescription(name, host, lookupGroups, registrars, persona, groups, source);
+    return new RobotDescription(
+        name, host, lookupGroups, registrars, administration, persona, groups, source);
   }
 
   /** The robot's own lookup service, if one of its groups hosts it. */

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 final class RobotReader {
 
   /** What a robot may hold that is no group. */
-  private static final Set<String> OTHERS = Set.of("lookup", "persona");
+  private static final Set<String> OTHERS = Set.of("lookup", "administration", "persona");
 
   private final Path file;
   private final Faults faults;
@@ -51,6 +51,11 @@ final class RobotReader {
       locators.addAll(list(lookup, "locators"));
       locators.forEach(locator -> values.check(lookup, Rules.locator(locator)));
     }
+    AdministrationDescription administration = AdministrationDescription.LOCAL;
+    for (Element child : children(root, "administration")) {
+      singles.check(child, "administration", "<administration>", "make them one");
+      administration = administration(child);
+    }
     Optional<PersonaAttributes> persona = Optional.empty();
     for (Element child : children(root, "persona")) {
       singles.check(child, "persona", "<persona>", "make them one");
@@ -64,8 +69,21 @@ final class RobotReader {
     }
     return faults.isEmpty() && name != null && host != null
         ? Optional.of(
-            new RobotDescription(name, host, lookupGroups, locators, persona, groups, file))
+            new RobotDescription(
+                name, host, lookupGroups, locators, administration, persona, groups, file))
         : Optional.empty();
+  }
+
+  private AdministrationDescription administration(Element element) {
+    List<String> right = new ArrayList<>();
+    for (String each : list(element, "from")) {
+      @Nullable String fault = Rules.administrator(each);
+      values.check(element, fault);
+      if (fault == null) {
+        right.add(each);
+      }
+    }
+    return new AdministrationDescription(right, values.place(element));
   }
 
   private Optional<PersonaAttributes> persona(Element element, @Nullable String robot) {

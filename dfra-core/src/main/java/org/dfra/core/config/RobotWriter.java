@@ -22,6 +22,11 @@ final class RobotWriter {
     set(lookup, "groups", String.join(",", robot.lookupGroups()));
     set(lookup, "locators", String.join(",", robot.locators()));
     root.addContent(lookup);
+    if (!robot.administration().from().isEmpty()) {
+      Element administration = element("administration");
+      set(administration, "from", String.join(",", robot.administration().from()));
+      root.addContent(administration);
+    }
     robot.persona().ifPresent(persona -> root.addContent(persona(persona)));
     robot.groups().forEach(group -> root.addContent(group(group)));
     Format format = Format.getPrettyFormat().setLineSeparator(LineSeparator.UNIX);

@@ -1,7 +1,9 @@
 package org.dfra.core.config;
 
+import java.net.InetAddress;
 import java.net.URI;
 import java.net.URISyntaxException;
+import java.net.UnknownHostException;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -18,6 +20,17 @@ public final class Rules {
       Pattern.compile(
           "(\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*\\.)*"
               + "\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*");
+  private static final Pattern IPV4 =
+      Pattern.compile("(25[0-5]|2[0-4]\\d|1?\\d?\\d)(\\.(25[0-5]|2[0-4]\\d|1?\\d?\\d)){3}");
+
+  private static final Pattern IPV6_CHARACTERS = Pattern.compile("[0-9A-Fa-f:][0-9A-Fa-f:.]*");
+
+  /** As RFC 1123 has it, but for names of digits and dots only, which are meant as addresses. */
+  private static final Pattern HOST_NAME =
+      Pattern.compile(
+          "(?![0-9.]+$)[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?"
+              + "(\\.[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?)*");
+
   private static final int LAST_PORT = 65535;
 
   private Rules() {}
@@ -76,6 +89,39 @@ public final class Rules {
     return group.isBlank() || group.contains(",") || !group.equals(group.strip())
         ? "the discovery group \"" + group + "\" is blank or holds a comma; write one name"
         : null;
+  }
+
+  /** An address, a range of addresses, or a host name. */
+  static @Nullable String administrator(String text) {
+    int slash = text.indexOf('/');
+    String address = slash < 0 ? text : text.substring(0, slash);
+    int bits = bits(address);
+    boolean isRight =
+        slash < 0
+            ? bits > 0 || HOST_NAME.matcher(text).matches()
+            : bits > 0 && isPrefix(text.substring(slash + 1), bits);
+    return isRight
+        ? null
+        : "the administrator's address \""
+            + text
+            + "\" is not understood; write an address, a range such as 10.0.0.0/24, or a host name";
+  }
+
+  /** How many bits a numeric address has; 0 if it is none. Nothing is looked up. */
+  private static int bits(String address) {
+    boolean isIpv6 = address.indexOf(':') >= 0 && IPV6_CHARACTERS.matcher(address).matches();
+    if (!isIpv6 && !IPV4.matcher(address).matches()) {
+      return 0;
+    }
+    try {
+      return InetAddress.getByName(address).getAddress().length * Byte.SIZE;
+    } catch (UnknownHostException e) { // colons alone make no IPv6 address
+      return 0;
+    }
+  }
+
+  private static boolean isPrefix(String text, int bits) {
+    return text.matches("[0-9]{1,3}") && Integer.parseInt(text) <= bits;
   }
 
   static @Nullable String registrarPort(String port) {

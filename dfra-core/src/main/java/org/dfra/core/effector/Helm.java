@@ -10,6 +10,7 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
@@ -30,7 +31,7 @@ public final class Helm {
 
     /**
      * @param whenOver to be run once when the lease is over, in whichever way
-     * @return what administrators name the lease by
+     * @return the lease's ID, a secret of holder and grantor
      */
     UUID grant(Runnable whenOver) throws LeaseRefusedException;
   }
@@ -131,7 +132,7 @@ public final class Helm {
               + " since "
               + other.since()
               + "; wait until it lets go, or have its lease"
-              + (lease == null ? "" : " " + lease)
+              + (lease == null ? "" : " " + LeaseHandle.of(lease))
               + " revoked");
     }
     commander = next;

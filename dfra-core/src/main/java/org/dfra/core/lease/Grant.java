@@ -7,7 +7,7 @@ import java.util.UUID;
 /**
  * A lease as it was granted or renewed.
  *
- * @param id what its holder names it by
+ * @param id what its holder names it by: a secret of holder and grantor
  * @param duration for how long from now
  * @param expiration when that is over, by the module's clock
  */

@@ -16,6 +16,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.time.Scheduler;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
  * when its time is, not when somebody asks: its end is noticed by the scheduler.
+ *
+ * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel the
+ * lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
  *
  * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
  * ends.
@@ -85,6 +89,7 @@ public final class LeaseBook implements AutoCloseable {
 
   /** One lease. */
   private static final class Entry {
+    final LeaseHandle handle;
     final Holder holder;
     final @Nullable String host;
     final Instant since;
@@ -95,12 +100,14 @@ public final class LeaseBook implements AutoCloseable {
     @Nullable Task expiry; // guarded by entries; null where nobody need renew
 
     Entry(
+        UUID id,
         Holder holder,
         @Nullable String host,
         Instant since,
         long granted,
         Runnable whenOver,
         Runnable whenCancelled) {
+      this.handle = LeaseHandle.of(id);
       this.holder = holder;
       this.host = host;
       this.since = since;
@@ -146,7 +153,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = entry(holder, host, whenOver, whenCancelled);
+      Entry entry = entry(id, holder, host, whenOver, whenCancelled);
       extend(id, entry, asked); // first: what cannot be ended in time is not granted
       entries.put(id, entry);
     }
@@ -173,15 +180,19 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      entries.put(id, entry(holder, null, whenOver, whenCancelled));
+      entries.put(id, entry(id, holder, null, whenOver, whenCancelled));
     }
     tell();
     return id;
   }
 
   private Entry entry(
-      Holder holder, @Nullable String host, Runnable whenOver, Runnable whenCancelled) {
-    return new Entry(holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
+      UUID id,
+      Holder holder,
+      @Nullable String host,
+      Runnable whenOver,
+      Runnable whenCancelled) {
+    return new Entry(id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
   }
 
   private void refuseIfClosed() throws LeaseRefusedException {
@@ -245,6 +256,19 @@ public final class LeaseBook implements AutoCloseable {
     return true;
   }
 
+  /** The same, by what listings show of it. */
+  public boolean revoke(LeaseHandle handle) {
+    Optional<UUID> id;
+    synchronized (entries) {
+      id =
+          entries.entrySet().stream()
+              .filter(each -> each.getValue().handle.equals(handle))
+              .map(Map.Entry::getKey)
+              .findFirst();
+    }
+    return id.isPresent() && revoke(id.get());
+  }
+
   /** Long enough for whoever renews it to hear why that fails. */
   private void remember(UUID id) {
     revoked.add(id);
@@ -269,16 +293,16 @@ public final class LeaseBook implements AutoCloseable {
   public List<LeaseStatus> leases() {
     synchronized (entries) {
       long now = scheduler.nanos();
-      return entries.entrySet().stream()
-          .map(each -> status(each.getKey(), each.getValue(), now))
-          .sorted(Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::id))
+      return entries.values().stream()
+          .map(each -> status(each, now))
+          .sorted(Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::handle))
           .toList();
     }
   }
 
-  private LeaseStatus status(UUID id, Entry entry, long now) {
+  private LeaseStatus status(Entry entry, long now) {
     return new LeaseStatus(
-        id,
+        entry.handle,
         entry.holder,
         entry.host,
         entry.since,

@@ -28,6 +28,7 @@ class RobotRoundTripTest {
                 + "parameter.odd=\\ a\\tb\\nc\\rd $$ ${HOST} <>&\\\"' caf\u00e9 \\uD83D\\uDE80 \n")
         .xml(
             "<lookup groups=\"field,north\" locators=\"base,relay:4161\"/>",
+            "<administration from=\"10.0.0.7, fd00::/8,${ADMIN:-base}.local\"/>",
             "<persona role=\"scout $$\"><goal> Map ${HOST} &amp; all. </goal>",
             "<limitation>no stairs</limitation><goal>Come back.</goal></persona>",
             "<group name=\"lookup\"><registrar port=\"4170\" classes=\"off\" restart=\"false\"/></group>",

@@ -86,7 +86,8 @@ class RobotStructureFaultsTest {
         .containsExactly("robot.xml:2: <grup> is not known here; did you mean \"group\"?");
     assertThat(folder().xml("<behaviour/>", "<group name=\"a\"/>").complaints())
         .containsExactly(
-            "robot.xml:2: <behaviour> is not known here; write <lookup> or <persona> or <group>");
+            "robot.xml:2: <behaviour> is not known here; write <lookup> or <administration> or"
+                + " <persona> or <group>");
   }
 
   @Test

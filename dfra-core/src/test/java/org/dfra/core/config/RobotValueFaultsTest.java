@@ -62,6 +62,35 @@ class RobotValueFaultsTest {
   }
 
   @Test
+  void twoAdministrations() {
+    String local = "<administration from=\"\"/>";
+    assertThat(folder().xml(local, "<group name=\"a\"/>", local).complaints())
+        .containsExactly(
+            "robot.xml:4: there is a second <administration>, the first is in line 2;"
+                + " make them one");
+  }
+
+  @Test
+  void administratorsThatAreNeitherAddressNorRangeNorName() {
+    String remedy =
+        "\" is not understood; write an address, a range such as 10.0.0.0/24, or a host name";
+    assertThat(
+            folder()
+                .xml(
+                    "<administration from=\"10.0.0.256, base/24, 10.0.0.0/33, 10.0.0, fd00::/8,"
+                        + " fd00::g, 10.0.0.0/, 10.0.0.0/8, base.local\"/>",
+                    "<group name=\"a\"/>")
+                .complaints())
+        .containsExactly(
+            "robot.xml:2: the administrator's address \"10.0.0.256" + remedy,
+            "robot.xml:2: the administrator's address \"base/24" + remedy,
+            "robot.xml:2: the administrator's address \"10.0.0.0/33" + remedy,
+            "robot.xml:2: the administrator's address \"10.0.0" + remedy,
+            "robot.xml:2: the administrator's address \"fd00::g" + remedy,
+            "robot.xml:2: the administrator's address \"10.0.0.0/" + remedy);
+  }
+
+  @Test
   void namesNotInLowerSnakeCase() {
     assertThat(
             folder()

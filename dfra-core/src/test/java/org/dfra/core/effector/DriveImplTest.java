@@ -203,7 +203,7 @@ class DriveImplTest {
   void restsWhenItsCommanderIsRevoked() throws Exception {
     CommandLease lease = wheels.command(LEASE);
     wheels.obey(lease.key(), AHEAD);
-    assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).id())).isTrue();
+    assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).handle())).isTrue();
     assertThat(wheels.told).endsWith("halt");
     assertThat(lease.isLive()).isFalse();
     try (CommandLease next = wheels.command(LEASE)) {

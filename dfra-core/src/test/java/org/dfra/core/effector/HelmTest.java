@@ -18,6 +18,7 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.StoppedCommandException;
 import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
@@ -87,7 +88,7 @@ class HelmTest {
         .hasMessage(
             "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; wait"
                 + " until it lets go, or have its lease "
-                + LEASE
+                + LeaseHandle.of(LEASE)
                 + " revoked");
     assertThat(helm.isHeldBy(first)).isTrue();
   }
@@ -147,7 +148,8 @@ class HelmTest {
     assertThatThrownBy(() -> take("another"))
         .as("no trace of the first lease")
         .hasMessageContaining("by the next")
-        .hasMessageContaining(LEASE.toString());
+        .hasMessageContaining(LeaseHandle.of(LEASE).toString())
+        .hasMessageNotContaining(LEASE.toString());
     assertThat(helm.isHeldBy(next)).isTrue();
   }
 

@@ -130,7 +130,7 @@ class LostCommanderStressTest {
     if (random.nextBoolean()) {
       lease.close();
     } else {
-      assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).id())).isTrue();
+      assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).handle())).isTrue();
     }
   }
 }

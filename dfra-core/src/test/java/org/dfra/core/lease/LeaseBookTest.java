@@ -12,6 +12,7 @@ import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.junit.jupiter.api.Test;
 
@@ -82,13 +83,13 @@ class LeaseBookTest {
     assertThat(book.leases())
         .containsExactlyInAnyOrder(
             new LeaseStatus(
-                far.id(),
+                LeaseHandle.of(far.id()),
                 Holder.WATCHER,
                 "192.0.2.7",
                 Instant.EPOCH,
                 Duration.ofSeconds(4),
                 Duration.ofSeconds(6)),
-            new LeaseStatus(near, Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
+            new LeaseStatus(LeaseHandle.of(near), Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
     assertThat(book.cancel(near)).isTrue();
     time.step(Duration.ofSeconds(6));
     assertThat(book.leases()).isEmpty();
@@ -104,11 +105,27 @@ class LeaseBookTest {
       wall.set(Instant.EPOCH.minus(Duration.ofHours(1)));
       UUID younger = stepped.hold(Holder.CLIENT, () -> {});
       time.step(Duration.ofSeconds(1));
-      assertThat(stepped.leases()).extracting(LeaseStatus::id).containsExactly(older, younger);
+      assertThat(stepped.leases()).extracting(LeaseStatus::handle).containsExactly(LeaseHandle.of(older), LeaseHandle.of(younger));
       assertThat(stepped.leases())
           .extracting(LeaseStatus::held)
           .containsExactly(Duration.ofSeconds(5), Duration.ofSeconds(1));
     }
+  }
+
+  @Test
+  void whatIsListedRevokesALeaseButNeitherRenewsNorCancelsIt() throws Exception {
+    Grant grant = book.grant(Duration.ofSeconds(10), Holder.CLIENT, null, () -> over.add("it"));
+    LeaseHandle listed = book.leases().get(0).handle();
+    assertThat(listed).isEqualTo(LeaseHandle.of(grant.id()));
+    assertThat(listed.value()).isNotEqualTo(grant.id());
+    assertThat(book.renew(listed.value(), Duration.ofSeconds(1))).isEmpty();
+    assertThat(book.cancel(listed.value())).isFalse();
+    assertThat(book.revoke(listed.value())).as("taken for the secret").isFalse();
+    assertThat(over).isEmpty();
+    assertThat(book.revoke(listed)).isTrue();
+    assertThat(book.revoke(listed)).as("a second time").isFalse();
+    assertThat(over).containsExactly("it");
+    assertThat(book.isRevoked(grant.id())).isTrue();
   }
 
   @Test

@@ -147,7 +147,7 @@ class RecruitmentTest {
     uav.help(call(20));
     seconds(16);
     LeaseBook book = books.get("near");
-    assertThat(book.revoke(book.leases().get(0).id())).isTrue();
+    assertThat(book.revoke(book.leases().get(0).handle())).isTrue();
     assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
   }
 

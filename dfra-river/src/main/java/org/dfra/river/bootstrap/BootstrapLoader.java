@@ -14,12 +14,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.stream.Collectors;
+import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.river.access.AddressRange;
+import org.dfra.river.access.AdministrationPolicy;
 import org.dfra.river.loading.RobotClasses;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Registers what a robot's description names with the activation system: each group, and in it each
@@ -33,17 +38,25 @@ final class BootstrapLoader {
   private final PhoenixAdmin admin;
   private final ActivationSystem system;
   private final String robot;
+  private final AdministrationDescription administration;
   private final Optional<RobotClasses> classes;
   private final Patience patience;
+  private @Nullable String administrators; // resolved when first needed, and once
 
   /**
+   * @param administration from where the robot may be administered
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
-      PhoenixCalls phoenix, String robot, Optional<RobotClasses> classes, Patience patience) {
+      PhoenixCalls phoenix,
+      String robot,
+      AdministrationDescription administration,
+      Optional<RobotClasses> classes,
+      Patience patience) {
     this.admin = phoenix.admin();
     this.system = phoenix.system();
     this.robot = robot;
+    this.administration = administration;
     this.classes = classes;
     this.patience = patience;
   }
@@ -65,10 +78,30 @@ final class BootstrapLoader {
         .findFirst();
   }
 
+  /**
+   * The addresses of the robot's administrators, with commas between; empty for its own computer.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if one of their hosts is not known
+   */
+  String administrators() {
+    @Nullable String known = administrators;
+    if (known == null) {
+      known =
+          AdministratorAddresses.resolve(administration).stream()
+              .map(AddressRange::toString)
+              .collect(Collectors.joining(","));
+      administrators = known;
+    }
+    return known;
+  }
+
   /** What a group's processes are to be started with. */
   ActivationGroupDesc desc(GroupDescription group) {
     Properties properties = new Properties();
     properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());
+    if (!administrators().isEmpty()) {
+      properties.setProperty(AdministrationPolicy.PROPERTY, administrators());
+    }
     List<String> options = new ArrayList<>(JvmCommand.options());
     classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
     options.addAll(group.jvmOptions());

@@ -10,6 +10,8 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.river.access.AdministrationPolicy;
+import org.dfra.river.access.AdministrationPolicy.Admission;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleIdentity;
@@ -20,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * proxies as in service groups, exported and found through lookup, but no activation system, which
  * could bring back what ends, and no class server, since whoever calls them here has their classes.
  * It is made of the same XML as one in processes. Modules remember nothing from one life to the
- * next.
+ * next. Robots that share a virtual machine share their administrators.
  *
  * <p>{@link #start} starts the registrar and then the modules in the order written; {@link #close}
  * ends them in {@link org.dfra.core.robot.ShutdownOrder}.
@@ -35,6 +37,7 @@ public final class EmbeddedRobot implements AutoCloseable {
   private final @Nullable Path others;
   private final ServedModules modules;
   private boolean started; // guarded by this
+  private @Nullable Admission admission; // guarded by this
 
   /**
    * A whole robot.
@@ -86,8 +89,8 @@ public final class EmbeddedRobot implements AutoCloseable {
   /**
    * Starts all of it. Does nothing the second time.
    *
-   * @throws ConfigurationException if a module cannot be made or served; what was started before it
-   *     runs until it is closed
+   * @throws ConfigurationException if a module cannot be made or served, or a host of the robot's
+   *     administrators is not known; what was started before it runs until it is closed
    * @throws IOException if the registrar cannot be started, or an identity cannot be kept
    */
   public synchronized void start() throws IOException {
@@ -95,6 +98,8 @@ public final class EmbeddedRobot implements AutoCloseable {
       return;
     }
     started = true;
+    admission =
+        AdministrationPolicy.admit(AdministratorAddresses.resolve(robot.administration()));
     LookupPlaces places = LookupPlaces.of(robot, host, registrar().start().port());
     for (ModuleDescription each : robot.modules()) {
       modules.serve(
@@ -128,6 +133,13 @@ public final class EmbeddedRobot implements AutoCloseable {
   /** {@inheritDoc} Where one module cannot be closed, the others are, and then that is thrown. */
   @Override
   public synchronized void close() throws IOException {
-    modules.close();
+    try {
+      modules.close();
+    } finally {
+      if (admission != null) {
+        admission.close();
+        admission = null;
+      }
+    }
   }
 }

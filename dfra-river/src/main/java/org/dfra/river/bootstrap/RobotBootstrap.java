@@ -76,8 +76,8 @@ public final class RobotBootstrap {
    *
    * @param listener is called as it goes on
    * @return what is up, the registrar first
-   * @throws ConfigurationException if another robot of this phoenix has the registrar's port;
-   *     nothing was changed
+   * @throws ConfigurationException if another robot of this phoenix has the registrar's port, or a
+   *     host of its administrators is not known; nothing was changed
    * @throws ActivationException if something cannot be registered or activated, or the end of a
    *     module that has to go is not proven; what was brought up before stays up
    */
@@ -91,11 +91,12 @@ public final class RobotBootstrap {
       PortUse.ofOthers(phoenix.admin(), robot.name(), patience)
           .requireFree(robot.name(), host, robot.registrar().get());
     }
+    BootstrapLoader loader = loader(patience);
+    String unused = loader.administrators(); // what is wrong with them shows before all else
     KnownRobots known = new KnownRobots(phoenix.state());
     boolean wasKnown = known.isKnown(robot.name());
     known.remember(robot);
     LaunchedJars.keepFor(phoenix.state()); // before its journal names them
-    BootstrapLoader loader = loader(patience);
     try {
       PhoenixCalls calls = PhoenixCalls.to(phoenix);
       return new BringUp(calls, robot, loader, registrar, settings(), patience, listener).run();
@@ -183,7 +184,8 @@ public final class RobotBootstrap {
   }
 
   private BootstrapLoader loader(Patience patience) throws IOException {
-    return new BootstrapLoader(PhoenixCalls.to(phoenix), robot.name(), classes(), patience);
+    return new BootstrapLoader(
+        PhoenixCalls.to(phoenix), robot.name(), robot.administration(), classes(), patience);
   }
 
   /**

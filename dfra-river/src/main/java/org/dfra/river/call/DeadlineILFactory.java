@@ -12,11 +12,13 @@ import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.InvocationDispatcher;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.ServerCapabilities;
-import org.dfra.river.filter.FilteredInvocationDispatcher;
+import org.dfra.river.access.GuardedDispatcher;
 import org.jspecify.annotations.Nullable;
 
 /**
- * JERI's invocation layer with a deadline on every call: what DFRA's exporters are configured with.
+ * JERI's invocation layer with a deadline on every call, filtered arguments, and a guard in front of
+ * {@linkplain org.dfra.module.Administrative administrative} methods: what DFRA's exporters are
+ * configured with.
  *
  * <p>In a Jini configuration file:
  *
@@ -45,20 +47,34 @@ public final class DeadlineILFactory extends BasicILFactory {
 
   /**
    * @param server the server's constraints, or null for none
-   * @param permission the permission class that guards each call, or null for none
+   * @param permission null. River checks a permission only under a security manager, which there is
+   *     none any more: a call that nobody was granted would be served
    * @param loader the loader that defines the proxy, or null for the implementation's
    * @param deadline how long an answer is awaited, at least a millisecond
+   * @throws IllegalArgumentException if there is a permission class, or the deadline is shorter
    */
   public DeadlineILFactory(
       @Nullable MethodConstraints server,
       @Nullable Class<?> permission,
       @Nullable ClassLoader loader,
       Duration deadline) {
-    super(server, permission, loader);
+    super(server, requireNone(permission), loader);
     if (deadline.toMillis() < 1) {
       throw new IllegalArgumentException("deadline " + deadline + " is shorter than 1 ms");
     }
     this.deadline = deadline;
+  }
+
+  private static @Nullable Class<?> requireNone(@Nullable Class<?> permission) {
+    if (permission != null) {
+      throw new IllegalArgumentException(
+          "permission class "
+              + permission.getName()
+              + " would guard nothing, since there is no security manager; mark what only"
+              + " administrators may call with @Administrative, and name them in <administration"
+              + " from=\"…\"> of the robot's XML");
+    }
+    return null;
   }
 
   @Override
@@ -68,16 +84,16 @@ public final class DeadlineILFactory extends BasicILFactory {
     return new DeadlineInvocationHandler(endpoint, getServerConstraints(), deadline);
   }
 
-  /** Filters the arguments of every call before they are built. */
+  /** Refuses what the client may not call, and filters the arguments of all other calls. */
   @Override
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected InvocationDispatcher createInvocationDispatcher(
       Collection methods, Remote impl, ServerCapabilities capabilities) throws ExportException {
-    return new FilteredInvocationDispatcher(
+    return new GuardedDispatcher(
         (Collection<Method>) methods,
+        impl.getClass(),
         capabilities,
         getServerConstraints(),
-        getPermissionClass(),
         getClassLoader());
   }
 

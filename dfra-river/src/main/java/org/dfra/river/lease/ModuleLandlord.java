@@ -4,8 +4,8 @@ import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordUtil;
 import com.sun.jini.landlord.LeaseFactory;
 import com.sun.jini.landlord.LocalLandlord;
+import java.net.InetAddress;
 import java.rmi.RemoteException;
-import java.rmi.server.ServerNotActiveException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
@@ -16,15 +16,14 @@ import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
-import net.jini.export.ServerContext;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import net.jini.io.context.ClientHost;
 import org.dfra.core.lease.Grant;
 import org.dfra.core.lease.LeaseBook;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.access.Caller;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 
@@ -128,13 +127,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /** Where the call under way on this thread came from; null where its transport does not tell. */
   public static @Nullable String clientHost() {
-    try {
-      return ServerContext.getServerContextElement(ClientHost.class) instanceof ClientHost client
-          ? client.getClientHost().getHostAddress()
-          : null;
-    } catch (ServerNotActiveException e) {
-      return null;
-    }
+    return Caller.current()
+        .map(Caller::address)
+        .map(InetAddress::getHostAddress)
+        .orElse(null);
   }
 
   private Duration asked(long millis) {
@@ -170,7 +166,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return new UUID(cookie.getMostSignificantBits(), cookie.getLeastSignificantBits());
   }
 
-  /** What a lease is named by in the module's {@link LeaseBook}. */
+  /** What a lease is named by in the module's {@link LeaseBook}: a secret of its holder. */
   public static UUID id(Lease lease) {
     return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }

@@ -6,35 +6,38 @@ import java.util.concurrent.ConcurrentHashMap;
 import net.jini.core.lease.Lease;
 import net.jini.id.ReferentUuid;
 import net.jini.id.Uuid;
+import org.dfra.lease.LeaseHandle;
 
 /**
- * The leases that this virtual machine holds on modules elsewhere, by the identities that these
- * modules give them: so whoever asks who holds a lease learns which modules it is held with.
+ * The leases that this virtual machine holds on modules elsewhere, by the handles under which these
+ * modules list them: so whoever asks who holds a lease learns which modules it is held with. The
+ * leases' IDs are secrets and are not given away.
  */
 public final class HeldLeases {
 
-  private static final Set<UUID> HELD = ConcurrentHashMap.newKeySet();
+  private static final Set<LeaseHandle> HELD = ConcurrentHashMap.newKeySet();
 
   private HeldLeases() {}
 
   /** All that are held now. */
-  public static Set<UUID> all() {
+  public static Set<LeaseHandle> all() {
     return Set.copyOf(HELD);
   }
 
   static void add(Lease lease) {
     if (lease instanceof ReferentUuid named) {
-      HELD.add(id(named.getReferentUuid()));
+      HELD.add(handle(named.getReferentUuid()));
     }
   }
 
   static void remove(Lease lease) {
     if (lease instanceof ReferentUuid named) {
-      HELD.remove(id(named.getReferentUuid()));
+      HELD.remove(handle(named.getReferentUuid()));
     }
   }
 
-  private static UUID id(Uuid id) {
-    return new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits());
+  private static LeaseHandle handle(Uuid id) {
+    return LeaseHandle.of(
+        new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
   }
 }

@@ -3,6 +3,7 @@ package org.dfra.river.remote;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.util.UUID;
+import org.dfra.module.Administrative;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
@@ -20,11 +21,12 @@ public interface RemoteExamination extends Remote {
   }
 
   /**
-   * Begins a test or a recovery.
+   * Begins a test or a recovery, which may interrupt the device for everybody.
    *
    * @return what to ask for it by
    * @throws IllegalArgumentException if none has this name
    */
+  @Administrative
   UUID beginExamination(Sort sort, String name) throws RemoteException;
 
   /**

@@ -48,7 +48,7 @@ public final class Exporters {
    */
   public static Exporter jrmp(ServerSettings settings, long deadlineMillis) {
     JrmpSockets sockets = new JrmpSockets(settings.host(), Math.toIntExact(deadlineMillis));
-    Exporter plain = new JrmpCallsExporter(new JrmpExporter(0, sockets, sockets));
+    Exporter plain = new JrmpCallsExporter(new JrmpExporter(0, sockets, sockets), settings.host());
     return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }
 

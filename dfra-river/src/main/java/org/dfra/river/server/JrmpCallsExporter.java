@@ -22,26 +22,46 @@ import org.jspecify.annotations.Nullable;
  * Exports by JRMP, and gives proxies that may be called through any interface. The JDK's own stubs
  * refuse a method that is declared in an interface which is not itself remote, as all of a module's
  * are: {@code GPSSensor} is not remote, {@code RemoteGPSSensor} is.
+ *
+ * <p>JRMP knows no dispatcher of ours, so administrative methods are guarded by what is exported in
+ * the object's place: their arguments are read before a stranger is refused, as those of every call
+ * by JRMP.
  */
 final class JrmpCallsExporter implements Exporter {
 
   private final Exporter underlying;
+  private final String host;
 
-  JrmpCallsExporter(Exporter underlying) {
+  /** Held here, since JRMP holds what it exports weakly. */
+  @SuppressWarnings("UnusedVariable")
+  private @Nullable Remote guarded; // guarded by this
+
+  /**
+   * @param underlying exports by JRMP
+   * @param host the address that it listens on
+   */
+  JrmpCallsExporter(Exporter underlying, String host) {
     this.underlying = underlying;
+    this.host = host;
   }
 
   @Override
-  public Remote export(Remote impl) throws ExportException {
-    Remote stub = underlying.export(impl);
+  public synchronized Remote export(Remote impl) throws ExportException {
+    Remote guard = AdministrationGuard.of(impl, host);
+    Remote stub = underlying.export(guard);
+    guarded = guard;
     return (Remote)
         Proxy.newProxyInstance(
             stub.getClass().getClassLoader(), stub.getClass().getInterfaces(), new Calls(stub));
   }
 
   @Override
-  public boolean unexport(boolean force) {
-    return underlying.unexport(force);
+  public synchronized boolean unexport(boolean force) {
+    boolean unexported = underlying.unexport(force);
+    if (unexported) {
+      guarded = null;
+    }
+    return unexported;
   }
 
   /**

@@ -12,7 +12,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
@@ -22,6 +21,7 @@ import net.jini.core.entry.Entry;
 import net.jini.export.Exporter;
 import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.river.proxy.HeldLeases;
 import org.dfra.river.remote.ModuleAdmin;
@@ -181,12 +181,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   @Override
-  public Set<UUID> heldLeases() {
+  public Set<LeaseHandle> heldLeases() {
     return HeldLeases.all();
   }
 
   @Override
-  public boolean revoke(UUID lease) {
+  public boolean revoke(LeaseHandle lease) {
     boolean ended = module.leases().revoke(lease);
     if (ended) {
       LOG.info("An administrator has revoked lease {}.", lease);

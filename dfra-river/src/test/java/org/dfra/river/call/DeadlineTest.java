@@ -358,6 +358,19 @@ class DeadlineTest {
   }
 
   @Test
+  void aPermissionClassIsRefusedSinceItWouldGuardNothing() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () ->
+                new DeadlineILFactory(
+                    null, RuntimePermission.class, null, DeadlineILFactory.DEFAULT_DEADLINE))
+        .withMessage(
+            "permission class java.lang.RuntimePermission would guard nothing, since there is no"
+                + " security manager; mark what only administrators may call with @Administrative,"
+                + " and name them in <administration from=\"…\"> of the robot's XML");
+  }
+
+  @Test
   void deadlineShorterThanAMillisecondIsRefused() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new DeadlineILFactory(0))

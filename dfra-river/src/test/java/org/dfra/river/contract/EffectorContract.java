@@ -24,6 +24,7 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveState;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -74,11 +75,11 @@ abstract class EffectorContract extends EmergencyStopContract {
   @Test
   void refusesASecondCommanderAndNamesTheFirst() throws Exception {
     try (CommandLease lease = effector().command(LEASE)) {
-      UUID id = driver().leases().leases().get(0).id();
+      LeaseHandle handle = driver().leases().leases().get(0).handle();
       assertThatThrownBy(() -> effector().command(LEASE))
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
-          .hasMessageContaining("have its lease " + id + " revoked");
+          .hasMessageContaining("have its lease " + handle + " revoked");
       effector().obey(lease.key(), AHEAD);
       assertThat(driver().told).as("the first is not disturbed").containsExactly(TURNED);
     }
@@ -117,7 +118,7 @@ abstract class EffectorContract extends EmergencyStopContract {
   void aRevokedLeaseHaltsTheWheelsAndItsHolderHearsOfIt() throws Exception {
     CommandLease lease = effector().command(LEASE);
     effector().obey(lease.key(), AHEAD);
-    assertThat(driver().leases().revoke(driver().leases().leases().get(0).id())).isTrue();
+    assertThat(driver().leases().revoke(driver().leases().leases().get(0).handle())).isTrue();
     assertThat(driver().told).containsExactly(TURNED, "halt");
     assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
         .isInstanceOf(CommandRefusedException.class);

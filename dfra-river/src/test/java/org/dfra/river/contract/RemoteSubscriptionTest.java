@@ -150,8 +150,8 @@ class RemoteSubscriptionTest {
                 assertThat(each.remaining()).isBetween(Duration.ZERO, Duration.ofSeconds(30));
               });
       for (LeaseStatus each : admin.leases()) {
-        assertThat(admin.revoke(each.id())).isTrue();
-        assertThat(admin.revoke(each.id())).as("a second time").isFalse();
+        assertThat(admin.revoke(each.handle())).isTrue();
+        assertThat(admin.revoke(each.handle())).as("a second time").isFalse();
       }
       assertThat(gps().events().entries()).as("told nothing more at once").isEmpty();
       gps().solve(2);

@@ -67,6 +67,7 @@ final class Team implements AutoCloseable {
         robot.host(),
         List.of(), // by locators only: another team on this machine is none of ours
         locators,
+        robot.administration(),
         robot.persona(),
         robot.groups().stream().filter(which).toList(),
         robot.source());

@@ -1,0 +1,75 @@
+package org.dfra.app.doctor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.core.config.AdministrationDescription;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.Place;
+import org.dfra.core.config.RobotDescription;
+import org.junit.jupiter.api.Test;
+
+class ExposureCheckTest {
+
+  private static RobotDescription robot(String name, String host, String... administrators) {
+    return new RobotDescription(
+        name,
+        host,
+        List.of(),
+        List.of(),
+        new AdministrationDescription(List.of(administrators), Place.CODE),
+        Optional.empty(),
+        List.of(
+            new GroupDescription("all", List.of(), Optional.empty(), List.of(), Place.CODE)),
+        Path.of(name + ".xml"));
+  }
+
+  private static List<Finding> examined(RobotDescription... robots) {
+    return new ExposureCheck(
+            List.of(robots), host -> host.equals("auto") ? "192.0.2.5" : host)
+        .examine();
+  }
+
+  @Test
+  void aRobotThatOthersReachIsAWarning() {
+    assertThat(examined(robot("atrv1", "auto"), robot("atrv2", "127.0.0.1", "192.0.2.0/24")))
+        .containsExactly(
+            Finding.warn(
+                Subject.EXPOSURE,
+                "atrv1 is at 192.0.2.5, and every program that reaches this address can read and"
+                    + " command it",
+                "Let only computers that you trust reach this address;"
+                    + " docs/concepts/security.md says what strangers can do."),
+            Finding.ok(
+                Subject.EXPOSURE, "atrv2 is at 127.0.0.1, which only this computer reaches"));
+    assertThat(examined()).isEmpty();
+  }
+
+  @Test
+  void soIsOneThatEverybodyMayAdminister() {
+    assertThat(examined(robot("atrv1", "127.0.0.1", "0.0.0.0/0")))
+        .contains(
+            Finding.warn(
+                Subject.EXPOSURE,
+                "atrv1 may be administered from 0.0.0.0/0, so from everywhere",
+                "Name the operators' addresses in <administration from=\"…\"> of its XML;"
+                    + " docs/concepts/security.md says what administrators can do."));
+  }
+
+  @Test
+  void aHostThatIsNoneOfThisComputerFails() {
+    List<Finding> findings =
+        new ExposureCheck(
+                List.of(robot("atrv1", "192.0.2.9")),
+                host -> {
+                  throw new ConfigurationException("host " + host + " is gone; name another");
+                })
+            .examine();
+    assertThat(findings)
+        .containsExactly(
+            Finding.fail(Subject.EXPOSURE, "host 192.0.2.9 is gone", "Name another."));
+  }
+}

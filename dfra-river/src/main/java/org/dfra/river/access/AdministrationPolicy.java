@@ -1,0 +1,150 @@
+package org.dfra.river.access;
+
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.module.AdministrationRefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * From where an exported object may be administered: from its own computer, and from what is
+ * configured.
+ *
+ * <p>What is configured counts for all objects of a virtual machine: the system property {@value
+ * #PROPERTY}, which a robot's processes get from {@code <administration from="…">} of its XML, and
+ * what a robot within the virtual machine {@linkplain #admit admits} while it lives.
+ *
+ * <p>Thread-safe.
+ */
+public final class AdministrationPolicy {
+
+  /** System property: addresses and ranges as {@link AddressRange#of} reads them, with commas. */
+  public static final String PROPERTY = "dfra.administration.from";
+
+  private static final System.Logger LOG = System.getLogger(AdministrationPolicy.class.getName());
+
+  /** A stranger who calls again and again does not fill the log. */
+  private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
+
+  private static final List<Admission> ADMITTED = new CopyOnWriteArrayList<>();
+  private static final AtomicLong LAST_LOGGED = new AtomicLong(System.nanoTime() - LOG_AGAIN_NANOS);
+
+  /** Read when the first object is exported, so that a main can set it before. */
+  private static final class Configured {
+    static final List<AddressRange> RANGES = parse(System.getProperty(PROPERTY, ""));
+  }
+
+  private final OwnAddresses own;
+
+  private AdministrationPolicy(OwnAddresses own) {
+    this.own = own;
+  }
+
+  /**
+   * That of an object which is exported at an address of this computer.
+   *
+   * @param host the address, or a name of it; null for all of the computer's addresses
+   * @throws UnknownHostException if the name is not known
+   * @throws IllegalArgumentException if the system property {@value #PROPERTY} makes no sense; the
+   *     message says what would
+   */
+  public static AdministrationPolicy exportedAt(@Nullable String host) throws UnknownHostException {
+    List<AddressRange> unused = configured(); // a slip shows before anybody calls
+    return new AdministrationPolicy(OwnAddresses.exportedAt(host));
+  }
+
+  private static List<AddressRange> configured() {
+    try {
+      return Configured.RANGES;
+    } catch (ExceptionInInitializerError e) {
+      if (e.getCause() instanceof IllegalArgumentException wrong) {
+        throw wrong;
+      }
+      throw e;
+    }
+  }
+
+  /**
+   * Reads a list.
+   *
+   * @param list addresses and ranges with commas between; empty for none
+   * @throws IllegalArgumentException if one is neither
+   */
+  static List<AddressRange> parse(String list) {
+    return Arrays.stream(list.split(","))
+        .map(String::strip)
+        .filter(each -> !each.isEmpty())
+        .map(AddressRange::of)
+        .toList();
+  }
+
+  /** What a robot in this virtual machine admits, until it is closed. */
+  public static final class Admission implements AutoCloseable {
+
+    private final List<AddressRange> ranges;
+
+    private Admission(Collection<AddressRange> ranges) {
+      this.ranges = List.copyOf(ranges);
+    }
+
+    private boolean contains(InetAddress address) {
+      return ranges.stream().anyMatch(each -> each.contains(address));
+    }
+
+    @Override
+    public void close() {
+      ADMITTED.remove(this);
+    }
+  }
+
+  /** Admits these addresses to the administration of all objects of this virtual machine. */
+  public static Admission admit(Collection<AddressRange> ranges) {
+    Admission admission = new Admission(ranges);
+    ADMITTED.add(admission);
+    return admission;
+  }
+
+  /** Whether a client may administer; one whose address is not known may not. */
+  public boolean allows(Caller caller) {
+    @Nullable InetAddress address = caller.address();
+    return address != null
+        && (own.contain(address)
+            || configured().stream().anyMatch(each -> each.contains(address))
+            || ADMITTED.stream().anyMatch(each -> each.contains(address)));
+  }
+
+  /**
+   * Refuses a client that may not administer.
+   *
+   * @param what the method that it calls, such as {@code Module.setParameter}
+   * @throws AdministrationRefusedException if it may not
+   */
+  public void check(Caller caller, String what) {
+    if (!allows(caller)) {
+      AdministrationRefusedException refused =
+          new AdministrationRefusedException(
+              what
+                  + " is refused to "
+                  + caller
+                  + ": it is an administrative call, which is allowed from the robot's own computer"
+                  + " and from what <administration from=\"…\"> in its XML names; call from there,"
+                  + " or add the address and bring the robot up again");
+      log(refused.getMessage());
+      throw refused;
+    }
+  }
+
+  private static void log(@Nullable String refusal) {
+    long now = System.nanoTime();
+    long last = LAST_LOGGED.get();
+    if (now - last >= LOG_AGAIN_NANOS && LAST_LOGGED.compareAndSet(last, now)) {
+      LOG.log(Level.WARNING, refusal);
+    }
+  }
+}

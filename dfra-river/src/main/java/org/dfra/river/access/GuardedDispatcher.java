@@ -1,0 +1,83 @@
+package org.dfra.river.access;
+
+import java.lang.reflect.Method;
+import java.net.UnknownHostException;
+import java.rmi.Remote;
+import java.rmi.server.ExportException;
+import java.util.Collection;
+import java.util.Set;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.jeri.ServerCapabilities;
+import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.river.filter.FilteredInvocationDispatcher;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A dispatcher that refuses administrative calls by strangers, before it reads their arguments; see
+ * {@link AdministrationPolicy}. What is allowed it filters as every dispatcher here does.
+ *
+ * <p>It knows its robot's address by the endpoint that it is exported on. On an endpoint of another
+ * kind than TCP every address of this computer is the robot's own.
+ */
+public class GuardedDispatcher extends FilteredInvocationDispatcher {
+
+  private final Set<Method> administrative;
+  private final AdministrationPolicy policy;
+
+  /**
+   * As {@link FilteredInvocationDispatcher} has it.
+   *
+   * @param methods the remote methods
+   * @param type class of the remote object, whose interfaces say which methods are administrative
+   * @param capabilities the endpoint that it is exported on
+   * @throws ExportException if the server's constraints cannot be met, the endpoint's host is not
+   *     known, or it is not understood who may administer
+   */
+  public GuardedDispatcher(
+      Collection<Method> methods,
+      Class<?> type,
+      ServerCapabilities capabilities,
+      @Nullable MethodConstraints server,
+      @Nullable ClassLoader loader)
+      throws ExportException {
+    super(methods, capabilities, server, null, loader);
+    this.administrative = AdministrativeMethods.among(methods, type);
+    this.policy = policy(capabilities);
+  }
+
+  private static AdministrationPolicy policy(ServerCapabilities capabilities)
+      throws ExportException {
+    @Nullable String host = capabilities instanceof TcpServerEndpoint tcp ? tcp.getHost() : null;
+    try {
+      return AdministrationPolicy.exportedAt(host);
+    } catch (UnknownHostException e) {
+      throw new ExportException(
+          "host " + host + " is not known; export at an address of this machine", e);
+    } catch (IllegalArgumentException e) {
+      throw new ExportException(
+          "the system property " + AdministrationPolicy.PROPERTY + ": " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws org.dfra.module.AdministrationRefusedException if the method is administrative and the
+   *     client may not administer
+   */
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  protected void checkAccess(
+      Remote impl, Method method, InvocationConstraints constraints, Collection context) {
+    super.checkAccess(impl, method, constraints, context);
+    if (administrative.contains(method)) {
+      policy.check(Caller.in(context), name(method));
+    }
+  }
+
+  /** As refusals show it. */
+  static String name(Method method) {
+    return method.getDeclaringClass().getSimpleName() + "." + method.getName();
+  }
+}

@@ -1,0 +1,67 @@
+package org.dfra.river.access;
+
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * From which addresses the programs of a robot's own computer call it.
+ *
+ * <p>These are the addresses of the computer's network interfaces, 127.0.0.1 among them, and all
+ * other loopback addresses where the robot is exported at an address that others reach: nobody else
+ * can call from there.
+ *
+ * <p>Where the robot itself is exported at a loopback address, several computers may be simulated on
+ * one, each with a loopback address. Then only that address and 127.0.0.1 are its own. The latter is
+ * where the kernel lets a program call from that has bound its socket to no address, whichever
+ * loopback address it calls.
+ */
+final class OwnAddresses {
+
+  private static final int IPV4_BYTES = 4;
+
+  /** At which the robot is exported; null where others reach it. */
+  private final @Nullable InetAddress loopback;
+
+  private OwnAddresses(@Nullable InetAddress loopback) {
+    this.loopback = loopback;
+  }
+
+  /**
+   * Those of a robot that is exported at an address of this computer.
+   *
+   * @param host the address, or a name of it; null for all of the computer's addresses
+   * @throws UnknownHostException if the name is not known
+   */
+  static OwnAddresses exportedAt(@Nullable String host) throws UnknownHostException {
+    if (host == null) {
+      return new OwnAddresses(null);
+    }
+    InetAddress address = InetAddress.getByName(host);
+    return new OwnAddresses(address.isLoopbackAddress() ? address : null);
+  }
+
+  /** Whether an address is one of them. Interfaces are read anew each time: addresses change. */
+  boolean contain(InetAddress address) {
+    if (!address.isLoopbackAddress()) {
+      return isOfAnInterface(address);
+    }
+    return loopback == null || loopback.equals(address) || isDefault(address);
+  }
+
+  /** Whether programs call from it that name no other: 127.0.0.1 and ::1. */
+  private static boolean isDefault(InetAddress address) {
+    byte[] bytes = address.getAddress();
+    return bytes.length != IPV4_BYTES || (bytes[1] == 0 && bytes[2] == 0 && bytes[3] == 1);
+  }
+
+  private static boolean isOfAnInterface(InetAddress address) {
+    try {
+      return NetworkInterface.getByInetAddress(address) != null;
+    } catch (SocketException e) {
+      return false; // the interfaces cannot be read
+    }
+  }
+}

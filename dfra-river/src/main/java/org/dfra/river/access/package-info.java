@@ -1,0 +1,17 @@
+/**
+ * Who may administer a robot.
+ *
+ * <pre>
+ *   call --&gt; GuardedDispatcher --- an @Administrative method? ---&gt; AdministrationPolicy
+ *                 |                                                  OwnAddresses, AddressRange
+ *                 '--- every other method: arguments are read, the method runs
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.river.access.GuardedDispatcher}, which every object that DFRA exports
+ * has in front of it. What a client downloads holds this package too, so it needs the API and River
+ * only.
+ */
+@NullMarked
+package org.dfra.river.access;
+
+import org.jspecify.annotations.NullMarked;

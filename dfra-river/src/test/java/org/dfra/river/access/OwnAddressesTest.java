@@ -1,0 +1,44 @@
+package org.dfra.river.access;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class OwnAddressesTest {
+
+  private static boolean isOwn(String host, String address) throws Exception {
+    return OwnAddresses.exportedAt(host).contain(InetAddress.getByName(address));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "127.0.0.1, 127.0.0.1, true",
+    "127.0.0.1, 127.0.0.66, false",
+    "127.1.2.10, 127.1.2.10, true",
+    "127.1.2.10, 127.0.0.1, true", // where programs call from that bind no address
+    "127.1.2.10, 127.1.2.66, false",
+    "127.1.2.10, 127.1.2.1, false",
+    "localhost, 127.0.0.1, true",
+    "::1, ::1, true",
+    "127.0.0.1, 192.0.2.1, false", // reserved for documents: nobody's
+  })
+  void onTheLoopbackOnlyTheOneThatIsExportedAndTheDefault(
+      String host, String address, boolean isOwn) throws Exception {
+    assertThat(isOwn(host, address)).isEqualTo(isOwn);
+  }
+
+  @Test
+  void elsewhereTheWholeLoopbackAndEveryInterface() throws Exception {
+    assertThat(isOwn("192.0.2.1", "127.0.0.66")).isTrue();
+    assertThat(isOwn("192.0.2.1", "192.0.2.2")).as("another computer").isFalse();
+    List<InetAddress> all =
+        NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses).toList();
+    assertThat(all).isNotEmpty().allMatch(OwnAddresses.exportedAt("192.0.2.1")::contain);
+    assertThat(all).allMatch(OwnAddresses.exportedAt(null)::contain);
+  }
+}

@@ -1,0 +1,172 @@
+package org.dfra.attack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import net.jini.admin.Administrable;
+import net.jini.lookup.DiscoveryAdmin;
+import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.core.config.RobotXml;
+import org.dfra.drive.Commander;
+import org.dfra.drive.Wheels;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.module.LogLevel;
+import org.dfra.module.Readiness;
+import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A stranger on the network lists leases, and tries to revoke them, to change the drive's parameters
+ * and log level, to end the drive and its registrar, and to release an emergency stop. All of that is
+ * refused and the wheels turn on; the robot's own computer and its configured operator still may.
+ */
+@Timeout(120)
+class StrangerIT {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final String REFUSED = "AdministrationRefusedException";
+  private static final double SPEED = 0.5;
+
+  @TempDir Path folder;
+
+  private final AttackHosts hosts = AttackHosts.assumed();
+  private Wheels wheels;
+  private EmbeddedRobot robot;
+  private JiniModuleDirectory directory;
+  private DriveEffector drive;
+  private TaskProcess task;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    wheels = new Wheels();
+    Path xml =
+        Files.writeString(
+            folder.resolve("robot.xml"),
+            """
+            <robot xmlns="urn:dfra:robot:1" name="eta" host="%s">
+              <administration from="%s"/>
+              <group name="all">
+                <registrar port="0" classes="off"/>
+                <module name="drive" properties="%s/config/modules/rflex-drive.properties">
+                  <parameter name="link" value="%s"/>
+                </module>
+              </group>
+            </robot>
+            """
+                .formatted(
+                    hosts.robot(),
+                    hosts.operator(),
+                    System.getProperty("dfra.root"),
+                    wheels.url()));
+    robot = new EmbeddedRobot(RobotXml.read(xml));
+    robot.start();
+    directory =
+        new JiniModuleDirectory(hosts.robot(), List.of(), List.of(robot.registrar().locator()));
+    drive = directory.find(DriveEffector.class, PATIENCE).orElseThrow();
+    assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
+    task =
+        TaskProcess.start(
+            AdministrativeCalls.class,
+            hosts.robot(),
+            Integer.toString(robot.registrar().port()));
+    String unused = task.awaitLine("ready", PATIENCE);
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    try (Wheels stopped = wheels;
+        EmbeddedRobot ended = robot;
+        JiniModuleDirectory closed = directory;
+        TaskProcess killed = task) {
+      assertThat(killed == null || killed.isAlive()).as("the attacker").isTrue();
+    }
+  }
+
+  /** What each call of a verb came to, from an address. */
+  private List<String> tried(String source, String verb) throws Exception {
+    task.write(source + " " + verb);
+    List<String> outcomes = new ArrayList<>();
+    while (true) {
+      String line = task.awaitLine("", PATIENCE);
+      if (line.equals(AdministrativeCalls.END)) {
+        return outcomes;
+      }
+      outcomes.add(line);
+    }
+  }
+
+  @Test
+  void changesNothingAndTheWheelsTurnOn() throws Exception {
+    LogLevel level = drive.logLevel();
+    try (Commander commander = new Commander(drive, PATIENCE, new Velocity(SPEED, 0))) {
+      await().atMost(PATIENCE).until(() -> wheels.speed() > 0.9 * SPEED);
+      assertThat(tried(hosts.attacker(), "lease"))
+          .as("the commander's lease; what is listed is no lease's ID")
+          .containsExactly("listed 1", "cancel: UnknownLeaseException", "revoke: " + REFUSED);
+      assertThat(tried(hosts.attacker(), "module"))
+          .containsExactly(
+              "parameter: " + REFUSED,
+              "level: " + REFUSED,
+              "outputs: " + REFUSED,
+              "groups: " + REFUSED,
+              "deactivate: " + REFUSED,
+              "destroy: " + REFUSED);
+      assertThat(tried(hosts.otherAttacker(), "registrar"))
+          .containsExactly(
+              "set groups: " + REFUSED,
+              "add groups: " + REFUSED,
+              "port: " + REFUSED,
+              "join: " + REFUSED,
+              "destroy: " + REFUSED);
+      assertThat(commander.hasGivenUp()).isFalse();
+      assertThat(commander.lease().isLive()).isTrue();
+      assertThat(wheels.speed()).isGreaterThan(0.9 * SPEED);
+    }
+    assertThat(drive.logLevel()).isEqualTo(level);
+    assertThat(drive.parameters())
+        .filteredOn(each -> each.name().equals("max_speed"))
+        .singleElement()
+        .satisfies(each -> assertThat(Double.parseDouble(each.text())).isEqualTo(1));
+    Object admin = ((Administrable) robot.registrar().registrar()).getAdmin();
+    assertThat(((DiscoveryAdmin) admin).getMemberGroups()).doesNotContain("elsewhere");
+  }
+
+  @Test
+  void mayStopARobotButNotReleaseIt() throws Exception {
+    assertThat(tried(hosts.attacker(), "stop")).containsExactly("stop: done");
+    assertThat(drive.stopState().latched()).isTrue();
+    assertThat(tried(hosts.attacker(), "release")).containsExactly("release: " + REFUSED);
+    assertThat(drive.stopState().latched()).isTrue();
+    assertThat(tried(hosts.operator(), "release")).containsExactly("release: done");
+    assertThat(drive.stopState().latched()).isFalse();
+    assertThat(tried(hosts.attacker(), "stop")).containsExactly("stop: done");
+    assertThat(tried("127.0.0.1", "release")).containsExactly("release: done");
+    assertThat(tried(hosts.robot(), "release")).containsExactly("release: done");
+    assertThat(drive.stopState().latched()).isFalse();
+  }
+
+  @Test
+  void theOperatorMayAdminister() throws Exception {
+    try (Commander commander = new Commander(drive, PATIENCE, new Velocity(SPEED, 0))) {
+      assertThat(tried(hosts.operator(), "lease"))
+          .containsExactly("listed 1", "cancel: UnknownLeaseException", "revoke: done");
+      await().atMost(PATIENCE).until(commander::hasGivenUp);
+    }
+    assertThat(tried(hosts.operator(), "registrar").subList(0, 2))
+        .containsExactly("set groups: done", "add groups: done");
+    assertThat(tried("127.0.0.1", "module"))
+        .startsWith("parameter: done", "level: done", "outputs: done")
+        .noneMatch(each -> each.endsWith(REFUSED));
+  }
+}
