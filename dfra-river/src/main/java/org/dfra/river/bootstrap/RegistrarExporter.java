@@ -24,13 +24,25 @@ public final class RegistrarExporter implements Exporter {
   private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
   private final Exporter exporter;
+  private final @Nullable RegistrarListeners listeners;
   private volatile @Nullable Thread thread;
 
   /**
    * @param exporter exports the lookup service
    */
   public RegistrarExporter(Exporter exporter) {
+    this(exporter, null);
+  }
+
+  /**
+   * The same, for a lookup service whose listeners are bounded.
+   *
+   * @param listeners the lookup service's {@code listenerPreparer}, which is told each second which
+   *     of its listeners are still registered
+   */
+  public RegistrarExporter(Exporter exporter, @Nullable RegistrarListeners listeners) {
     this.exporter = exporter;
+    this.listeners = listeners;
   }
 
   @Override
@@ -38,6 +50,9 @@ public final class RegistrarExporter implements Exporter {
     Remote proxy = exporter.export(registrar);
     try {
       RegistrarLeases leases = new RegistrarLeases(registrar);
+      if (listeners != null) {
+        listeners.begin();
+      }
       Thread begun = new Thread(() -> watch(leases), "registrar-leases");
       begun.setDaemon(true);
       thread = begun;
@@ -57,6 +72,9 @@ public final class RegistrarExporter implements Exporter {
         int cut = leases.cut();
         if (cut > 0) {
           LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
+        }
+        if (listeners != null) {
+          listeners.retain(leases.listeners());
         }
         LockSupport.parkNanos(this, PERIOD_NANOS);
       }
