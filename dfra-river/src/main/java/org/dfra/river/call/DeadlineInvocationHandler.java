@@ -110,7 +110,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return await(answer, call, peer, method);
   }
 
-  private long deadlineMillis(Method method) {
+  /** How long an answer to a method is awaited, in milliseconds. */
+  long deadlineMillis(Method method) {
     boolean startsProcesses =
         method.getDeclaringClass().getPackageName().equals(Activator.class.getPackageName());
     return isRead && !startsProcesses ? Math.min(deadlineMillis, LONGEST_MILLIS) : deadlineMillis;
