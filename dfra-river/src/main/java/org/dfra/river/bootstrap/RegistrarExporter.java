@@ -47,23 +47,30 @@ public final class RegistrarExporter implements Exporter {
 
   @Override
   public Remote export(Remote registrar) throws ExportException {
+    @Nullable RegistrarLeases leases = leases(registrar);
+    if (leases != null && listeners != null) {
+      listeners.begin(); // before the first client can call
+    }
     Remote proxy = exporter.export(registrar);
-    try {
-      RegistrarLeases leases = new RegistrarLeases(registrar);
-      if (listeners != null) {
-        listeners.begin();
-      }
+    if (leases != null) {
       Thread begun = new Thread(() -> watch(leases), "registrar-leases");
       begun.setDaemon(true);
       thread = begun;
       begun.start();
+    }
+    return proxy;
+  }
+
+  private static @Nullable RegistrarLeases leases(Remote registrar) {
+    try {
+      return new RegistrarLeases(registrar);
     } catch (ReflectiveOperationException e) {
       LOG.warn(
           "The leases of this lookup service go by the computer's clock, also where that is set"
               + " back: {}. Use reggie 2.2.2.",
           e.getMessage());
+      return null;
     }
-    return proxy;
   }
 
   private void watch(RegistrarLeases leases) {
