@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** Who may run beside whom; steps by hand, without threads. */
 class PeerLanesTest {
 
-  /** What the lanes handed to the pool and has not ended: a task is under way while it lies here. */
+  /** What the lanes handed to the pool; a task is under way while it lies here. */
   private final Queue<Runnable> pool = new ArrayDeque<>();
 
   private final List<String> ran = new ArrayList<>();
