@@ -53,7 +53,9 @@ class ModuleLandlordTest {
   @BeforeEach
   void make() throws ConfigurationException {
     book = book(ModuleLandlord.terms(EmptyConfiguration.INSTANCE));
-    landlord = new ModuleLandlord("atrv1/gps", book, Exporters.jeri(EmbeddedReggie.HOST, 2000));
+    landlord =
+        new ModuleLandlord(
+            "atrv1/gps", book, Exporters.jeri(EmbeddedReggie.HOST, 2000), EmbeddedReggie.HOST);
   }
 
   private static LeaseBook book(LeaseTerms terms) {

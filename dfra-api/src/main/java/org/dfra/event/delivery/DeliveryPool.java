@@ -3,6 +3,7 @@ package org.dfra.event.delivery;
 import java.lang.System.Logger.Level;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -17,10 +18,15 @@ import org.jspecify.annotations.Nullable;
  * <p>A few threads serve all listeners in turn. One that has been in the same listener for more
  * than {@value #BLOCKED_MILLIS} ms counts as blocked, and while others wait another thread takes
  * its place; it ends when the blocked one is back. So there are as many threads as a few plus the
- * listeners that block, and a healthy listener never waits for one that does. The threads are
- * daemons, called {@code dfra-events-n}; those without work end after ten seconds.
+ * listeners that block, but never more than {@value #MOST}: past them what is submitted waits for
+ * the first thread that comes back. Peers elsewhere, which may not answer, share a part of them by
+ * {@link PeerLanes}. The threads are daemons, called {@code dfra-events-n}; those without work end
+ * after ten seconds.
  */
-public final class DeliveryPool {
+public final class DeliveryPool implements Executor {
+
+  /** The largest number of threads of a pool. */
+  public static final int MOST = 64;
 
   private static final System.Logger LOG = System.getLogger(DeliveryPool.class.getName());
   private static final long BLOCKED_MILLIS = 2;
@@ -35,6 +41,7 @@ public final class DeliveryPool {
   private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
   private final int few;
+  private final int most;
   private final Scheduler scheduler;
   private final Consumer<Thread> starter;
   private final LinkedBlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
@@ -47,16 +54,18 @@ public final class DeliveryPool {
    * @param scheduler the time by which a thread counts as blocked
    */
   public DeliveryPool(int few, Scheduler scheduler) {
-    this(few, scheduler, Thread::start);
+    this(few, MOST, scheduler, Thread::start);
   }
 
   /**
    * The same, where threads are started in another way.
    *
+   * @param most the largest number of threads, blocked ones included; not below {@code few}
    * @param starter starts a thread, or throws what {@link Thread#start} throws
    */
-  DeliveryPool(int few, Scheduler scheduler, Consumer<Thread> starter) {
+  DeliveryPool(int few, int most, Scheduler scheduler, Consumer<Thread> starter) {
     this.few = few;
+    this.most = most;
     this.scheduler = scheduler;
     this.starter = starter;
   }
@@ -75,8 +84,9 @@ public final class DeliveryPool {
     return scheduler.isLockStep() ? new DeliveryPool(0, scheduler) : SHARED;
   }
 
-  /** Runs a turn soon; returns at once. */
-  void submit(Runnable turn) {
+  /** Runs a delivery soon; returns at once. It drops none. */
+  @Override
+  public void execute(Runnable turn) {
     if (scheduler.isLockStep()) {
       scheduler.after(0, turn);
       return;
@@ -98,7 +108,8 @@ public final class DeliveryPool {
   /** Sees to it that what waits is served: now, or else looks again soon. Never throws. */
   private void serveAll() {
     boolean started = replaceBlocked();
-    if (!turns.isEmpty() && looking.compareAndSet(false, true)) {
+    // Where there are as many threads as there may be, the first that is free goes on by itself.
+    if (!turns.isEmpty() && workers.size() < most && looking.compareAndSet(false, true)) {
       try {
         scheduler.after(started ? BLOCKED_NANOS : RETRY_NANOS, this::look);
       } catch (OutOfMemoryError e) { // the timer has no thread either; the next turn tries again
@@ -110,12 +121,17 @@ public final class DeliveryPool {
 
   /** Has a thread serve where too few do; false where none could be started. */
   private boolean replaceBlocked() {
-    if (turns.isEmpty() || atWork() >= few) {
+    if (turns.isEmpty() || suffices()) {
       return true;
     }
     synchronized (workers) {
-      return atWork() >= few || startOne();
+      return suffices() || startOne();
     }
+  }
+
+  /** Whether no further thread is needed, or none may be started. */
+  private boolean suffices() {
+    return workers.size() >= most || atWork() >= few;
   }
 
   private boolean startOne() {

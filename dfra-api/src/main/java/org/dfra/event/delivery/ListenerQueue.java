@@ -3,6 +3,7 @@ package org.dfra.event.delivery;
 import java.lang.System.Logger.Level;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
+import java.util.concurrent.Executor;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
@@ -11,7 +12,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What waits for one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is under
- * way. Offering never waits and allocates nothing.
+ * way. Offering never waits and allocates nothing. The queue submits its next delivery to the pool
+ * when the one before has ended, so no more than one of its tasks is there at a time.
  */
 public final class ListenerQueue implements AutoCloseable {
 
@@ -25,7 +27,7 @@ public final class ListenerQueue implements AutoCloseable {
   private final DeliveryPolicy policy;
   private final int failuresAllowed;
   private final Runnable whenGivenUp;
-  private final DeliveryPool pool;
+  private final Executor pool;
   private final Scheduler scheduler;
   private final long period;
 
@@ -46,13 +48,14 @@ public final class ListenerQueue implements AutoCloseable {
   /**
    * @param failuresAllowed after so many failures in a row the listener is given up
    * @param whenGivenUp run once when that happens, on a thread of the pool
+   * @param pool makes the deliveries: a {@link DeliveryPool}, or a lane of {@link PeerLanes}
    */
   public ListenerQueue(
       ModuleListener listener,
       DeliveryPolicy policy,
       int failuresAllowed,
       Runnable whenGivenUp,
-      DeliveryPool pool,
+      Executor pool,
       Scheduler scheduler) {
     this.listener = listener;
     this.policy = policy;
@@ -109,9 +112,9 @@ public final class ListenerQueue implements AutoCloseable {
   private void schedule() {
     long wait = earliest - scheduler.nanos();
     if (period > 0 && wait > 0) {
-      scheduler.after(wait, () -> pool.submit(this::turn));
+      scheduler.after(wait, () -> pool.execute(this::turn));
     } else {
-      pool.submit(this::turn);
+      pool.execute(this::turn);
     }
   }
 

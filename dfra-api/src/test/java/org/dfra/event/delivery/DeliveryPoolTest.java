@@ -9,7 +9,7 @@ import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Deliveries wait where no thread can be started for them; none is lost. */
+/** Deliveries wait where no thread can or may be started for them; none is lost. */
 @Timeout(60)
 class DeliveryPoolTest {
 
@@ -17,6 +17,7 @@ class DeliveryPoolTest {
   private final DeliveryPool pool =
       new DeliveryPool(
           1,
+          3,
           Scheduler.system(),
           thread -> {
             if (refusals.getAndDecrement() > 0) {
@@ -29,7 +30,7 @@ class DeliveryPoolTest {
   void aDeliveryIsMadeAsSoonAsAThreadCanBeStarted() throws InterruptedException {
     refusals.set(3);
     CountDownLatch made = new CountDownLatch(1);
-    pool.submit(made::countDown);
+    pool.execute(made::countDown);
     assertThat(pool.threads()).as("threads, of which none runs").isZero();
     assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered").isTrue();
     assertThat(refusals.get()).as("refusals left").isNegative();
@@ -39,7 +40,7 @@ class DeliveryPoolTest {
   void aListenerIsServedByAnotherThreadOnceOneCanBeStarted() throws InterruptedException {
     CountDownLatch blocked = new CountDownLatch(1);
     CountDownLatch release = new CountDownLatch(1);
-    pool.submit(
+    pool.execute(
         () -> {
           blocked.countDown();
           try {
@@ -51,8 +52,34 @@ class DeliveryPoolTest {
     assertThat(blocked.await(30, TimeUnit.SECONDS)).isTrue();
     refusals.set(2);
     CountDownLatch made = new CountDownLatch(1);
-    pool.submit(made::countDown);
+    pool.execute(made::countDown);
     assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered beside the blocked one").isTrue();
     release.countDown();
+  }
+
+  @Test
+  void deliveriesWaitWhereAsManyThreadsAsMayBeAreBlocked() throws InterruptedException {
+    CountDownLatch blocked = new CountDownLatch(3);
+    CountDownLatch release = new CountDownLatch(1);
+    for (int i = 0; i < 3; i++) {
+      pool.execute(
+          () -> {
+            blocked.countDown();
+            try {
+              release.await();
+            } catch (InterruptedException e) {
+              Thread.currentThread().interrupt();
+            }
+          });
+    }
+    assertThat(blocked.await(30, TimeUnit.SECONDS)).as("three are under way at once").isTrue();
+    CountDownLatch made = new CountDownLatch(100);
+    for (int i = 0; i < 100; i++) {
+      pool.execute(made::countDown);
+    }
+    assertThat(pool.threads()).as("threads while all are blocked").isEqualTo(3);
+    assertThat(made.getCount()).as("deliveries that wait").isEqualTo(100);
+    release.countDown();
+    assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered after the blocked ones").isTrue();
   }
 }

@@ -3,6 +3,7 @@ package org.dfra.core.event;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
 import org.dfra.core.state.StateStore;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -61,6 +62,21 @@ public final class EventHub {
    */
   public Entry add(
       ModuleListener listener, DeliveryPolicy policy, int failuresAllowed, Runnable whenGivenUp) {
+    return add(listener, policy, failuresAllowed, whenGivenUp, pool);
+  }
+
+  /**
+   * The same, for a listener that is called on other threads than those of this hub's pool.
+   *
+   * @param deliveries runs each delivery; it drops none. In lock-step the hub's pool does, since
+   *     nothing else may run beside the scheduler there
+   */
+  public Entry add(
+      ModuleListener listener,
+      DeliveryPolicy policy,
+      int failuresAllowed,
+      Runnable whenGivenUp,
+      Executor deliveries) {
     ListenerQueue queue =
         new ListenerQueue(
             listener,
@@ -70,7 +86,7 @@ public final class EventHub {
               entries.removeIf(entry -> !entry.queue().isOpen());
               whenGivenUp.run();
             },
-            pool,
+            scheduler.isLockStep() ? pool : deliveries,
             scheduler);
     synchronized (this) {
       Entry entry = new Entry(listener, queue, numbers.epoch(), numbers.last());

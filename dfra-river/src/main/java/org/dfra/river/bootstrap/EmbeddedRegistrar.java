@@ -76,11 +76,6 @@ public final class EmbeddedRegistrar implements AutoCloseable {
             Map.<String, Supplier<?>>of(
                 COMPONENT + "initialMemberGroups",
                 () -> groups.toArray(String[]::new),
-                COMPONENT + "serverExporter",
-                () ->
-                    new RegistrarExporter(
-                        new BasicJeriExporter(
-                            Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true)),
                 COMPONENT + "serverSocketFactory",
                 () -> new DiscoverySockets(host),
                 COMPONENT + "unicastDiscoveryHost",
@@ -122,10 +117,20 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     return this;
   }
 
+  private RegistrarExporter exporter(RegistrarListeners listeners) {
+    return new RegistrarExporter(
+        new BasicJeriExporter(Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true),
+        listeners);
+  }
+
   /** By its name: DFRA is compiled without reggie, which only runs beside it. */
   private Object reggie(CountDownLatch end) throws IOException {
     int wanted = port;
-    Map<String, Supplier<?>> all = new HashMap<>(entries);
+    RegistrarListeners listeners = new RegistrarListeners(host);
+    Map<String, Supplier<?>> all = new HashMap<>();
+    all.put(COMPONENT + "serverExporter", () -> exporter(listeners));
+    all.put(COMPONENT + "listenerPreparer", () -> listeners);
+    all.putAll(entries);
     all.put(COMPONENT + "initialUnicastDiscoveryPort", () -> wanted);
     LifeCycle life =
         ended -> {

@@ -24,31 +24,53 @@ public final class RegistrarExporter implements Exporter {
   private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
   private final Exporter exporter;
+  private final @Nullable RegistrarListeners listeners;
   private volatile @Nullable Thread thread;
 
   /**
    * @param exporter exports the lookup service
    */
   public RegistrarExporter(Exporter exporter) {
+    this(exporter, null);
+  }
+
+  /**
+   * The same, for a lookup service whose listeners are bounded.
+   *
+   * @param listeners the lookup service's {@code listenerPreparer}, which is told each second which
+   *     of its listeners are still registered
+   */
+  public RegistrarExporter(Exporter exporter, @Nullable RegistrarListeners listeners) {
     this.exporter = exporter;
+    this.listeners = listeners;
   }
 
   @Override
   public Remote export(Remote registrar) throws ExportException {
+    @Nullable RegistrarLeases leases = leases(registrar);
+    if (leases != null && listeners != null) {
+      listeners.begin(); // before the first client can call
+    }
     Remote proxy = exporter.export(registrar);
-    try {
-      RegistrarLeases leases = new RegistrarLeases(registrar);
+    if (leases != null) {
       Thread begun = new Thread(() -> watch(leases), "registrar-leases");
       begun.setDaemon(true);
       thread = begun;
       begun.start();
+    }
+    return proxy;
+  }
+
+  private static @Nullable RegistrarLeases leases(Remote registrar) {
+    try {
+      return new RegistrarLeases(registrar);
     } catch (ReflectiveOperationException e) {
       LOG.warn(
           "The leases of this lookup service go by the computer's clock, also where that is set"
               + " back: {}. Use reggie 2.2.2.",
           e.getMessage());
+      return null;
     }
-    return proxy;
   }
 
   private void watch(RegistrarLeases leases) {
@@ -57,6 +79,9 @@ public final class RegistrarExporter implements Exporter {
         int cut = leases.cut();
         if (cut > 0) {
           LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
+        }
+        if (listeners != null) {
+          listeners.retain(leases.listeners());
         }
         LockSupport.parkNanos(this, PERIOD_NANOS);
       }

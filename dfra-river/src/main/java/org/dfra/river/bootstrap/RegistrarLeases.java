@@ -3,9 +3,13 @@ package org.dfra.river.bootstrap;
 import com.sun.jini.thread.ReadersWriter;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Holds the leases of a lookup service to what it grants.
@@ -32,6 +36,7 @@ final class RegistrarLeases {
   private final ReadersWriter lock;
   private final Kind services;
   private final Kind events;
+  private final Field listener;
 
   /**
    * @param reggie the lookup service
@@ -61,6 +66,7 @@ final class RegistrarLeases {
             field(type, "maxEventLease"),
             field(type, "eventNotifier").get(reggie),
             field(Class.forName(CLASS + "$EventReg", false, loader), "leaseExpiration"));
+    listener = field(Class.forName(CLASS + "$EventReg", false, loader), "listener");
   }
 
   private static Field field(Class<?> type, String name) throws NoSuchFieldException {
@@ -102,6 +108,23 @@ final class RegistrarLeases {
     private void put(Object registration) {
       ((TreeMap<Object, Object>) byTime).put(registration, registration);
     }
+  }
+
+  /** The listener of each registration for events that there is now; the same objects. */
+  Set<Object> listeners() throws IllegalAccessException {
+    Set<Object> all = Collections.newSetFromMap(new IdentityHashMap<>());
+    lock.readLock();
+    try {
+      for (Object each : events.byTime().keySet()) {
+        @Nullable Object its = listener.get(each);
+        if (its != null) {
+          all.add(its);
+        }
+      }
+    } finally {
+      lock.readUnlock();
+    }
+    return all;
   }
 
   /**

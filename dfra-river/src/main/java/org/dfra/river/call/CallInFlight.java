@@ -1,5 +1,8 @@
 package org.dfra.river.call;
 
+import java.io.Closeable;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
 import net.jini.jeri.OutboundRequest;
 import org.jspecify.annotations.Nullable;
 
@@ -9,11 +12,29 @@ import org.jspecify.annotations.Nullable;
  */
 final class CallInFlight {
 
+  private static final System.Logger LOG = System.getLogger(CallInFlight.class.getName());
   private static final ThreadLocal<@Nullable CallInFlight> CURRENT = new ThreadLocal<>();
 
-  private @Nullable OutboundRequest request;
-  private boolean abandoned;
-  private boolean ended;
+  private final boolean closesConnection;
+  private @Nullable OutboundRequest request; // guarded by this
+  private @Nullable Closeable connection; // guarded by this; until the request has left
+  private boolean abandoned; // guarded by this
+  private boolean ended; // guarded by this
+
+  /** A call that leaves a connection alone which is still being made when the call is given up. */
+  CallInFlight() {
+    this(false);
+  }
+
+  /**
+   * A call.
+   *
+   * @param closesConnection whether giving it up closes a connection that is still being made for
+   *     it, so that its thread does not wait for a peer that takes connections and says nothing
+   */
+  CallInFlight(boolean closesConnection) {
+    this.closesConnection = closesConnection;
+  }
 
   /** Makes this the call of the current thread while {@code body} runs. */
   <T extends @Nullable Object> T carry(Body<T> body) throws Throwable {
@@ -33,10 +54,30 @@ final class CallInFlight {
     }
   }
 
+  /**
+   * Notes that the current thread's call, if it has one, makes this connection.
+   *
+   * @throws IOException if the call was given up before
+   */
+  static void connecting(Closeable connection) throws IOException {
+    @Nullable CallInFlight call = CURRENT.get();
+    if (call != null && call.closesConnection) {
+      call.setConnection(connection);
+    }
+  }
+
+  private synchronized void setConnection(Closeable made) throws IOException {
+    if (abandoned) {
+      throw new IOException("the call was given up before a connection was made for it");
+    }
+    connection = made;
+  }
+
   private void setRequest(OutboundRequest leaving) {
     boolean tooLate;
     synchronized (this) {
       request = leaving;
+      connection = null; // others may use it now
       tooLate = abandoned;
     }
     if (tooLate) {
@@ -50,18 +91,36 @@ final class CallInFlight {
    * @return false if the call had ended before
    */
   boolean abandon() {
-    OutboundRequest leaving;
+    @Nullable OutboundRequest leaving;
+    @Nullable Closeable unfinished;
     synchronized (this) {
       if (ended) {
         return false;
       }
       abandoned = true;
       leaving = request;
+      unfinished = connection;
     }
     if (leaving != null) {
       leaving.abort();
     }
+    if (unfinished != null) {
+      close(unfinished);
+    }
     return true;
+  }
+
+  private static void close(Closeable unfinished) {
+    try {
+      unfinished.close();
+    } catch (IOException e) {
+      LOG.log(Level.DEBUG, "A connection of a call that was given up was not closed in order.", e);
+    }
+  }
+
+  /** Whether it was given up. */
+  synchronized boolean isAbandoned() {
+    return abandoned;
   }
 
   /**

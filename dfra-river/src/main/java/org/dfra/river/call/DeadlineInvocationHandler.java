@@ -6,6 +6,7 @@ import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
+import java.rmi.activation.Activator;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.concurrent.ExecutionException;
@@ -30,6 +31,10 @@ import org.jspecify.annotations.Nullable;
  * closes no socket. Here the caller is free again when the deadline has passed, whatever the call
  * is blocked in, and learns whether it may have run. Where the deadline is longer than usual, a
  * peer that cannot be connected to within the usual one is given up then.
+ *
+ * <p>The deadline travels with the proxy. One that was read awaits no answer for longer than
+ * {@value #LONGEST_MILLIS} ms, or {@value #LONGEST_ACTIVATION_MILLIS} ms from the activation
+ * system, whatever deadline it brought.
  */
 public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
@@ -43,8 +48,20 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
    */
   private static final long CONNECTED_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
+  /**
+   * The longest deadline, in milliseconds, of a proxy that came from elsewhere: its sender chose
+   * it, but the threads that wait are this computer's.
+   */
+  static final long LONGEST_MILLIS = 10_000;
+
+  /** The same for calls of the activation system, which start virtual machines. */
+  static final long LONGEST_ACTIVATION_MILLIS = 30_000;
+
   /** How long an answer is awaited, in milliseconds. */
-  private final long deadlineMillis;
+  private long deadlineMillis;
+
+  /** Whether it was read from a stream. */
+  private transient boolean isRead;
 
   /**
    * @param deadline how long an answer is awaited, at least a millisecond
@@ -63,6 +80,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       DeadlineInvocationHandler other, @Nullable MethodConstraints client) {
     super(other, client);
     this.deadlineMillis = other.deadlineMillis;
+    this.isRead = other.isRead;
   }
 
   @Override
@@ -92,16 +110,24 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return await(answer, call, peer, method);
   }
 
+  /** How long an answer to a method is awaited, in milliseconds. */
+  long deadlineMillis(Method method) {
+    boolean startsProcesses =
+        method.getDeclaringClass().getPackageName().equals(Activator.class.getPackageName());
+    return isRead && !startsProcesses ? Math.min(deadlineMillis, LONGEST_MILLIS) : deadlineMillis;
+  }
+
   private @Nullable Object await(
       FutureTask<@Nullable Object> answer, CallInFlight call, Object peer, Method method)
       throws Throwable {
+    long deadline = deadlineMillis(method);
     try {
-      return answer(answer, call);
+      return answer(answer, call, deadline);
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       throw cause instanceof Carried carried ? carried.getCause() : cause;
     } catch (TimeoutException e) {
-      long awaited = call.hasLeft() ? deadlineMillis : Math.min(deadlineMillis, CONNECTED_MILLIS);
+      long awaited = call.hasLeft() ? deadline : Math.min(deadline, CONNECTED_MILLIS);
       boolean mayHaveRun = giveUp(call, peer);
       if (peer instanceof TcpEndpoint server) {
         PeerSockets.doubt(server);
@@ -114,9 +140,10 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     }
   }
 
-  private @Nullable Object answer(FutureTask<@Nullable Object> answer, CallInFlight call)
+  private @Nullable Object answer(
+      FutureTask<@Nullable Object> answer, CallInFlight call, long deadline)
       throws ExecutionException, TimeoutException, InterruptedException {
-    long rest = deadlineMillis;
+    long rest = deadline;
     if (rest > CONNECTED_MILLIS) {
       try {
         return answer.get(CONNECTED_MILLIS, TimeUnit.MILLISECONDS);
@@ -179,7 +206,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint;
   }
 
-  private static String name(Object peer) {
+  /** A peer's address, for people. */
+  static String name(Object peer) {
     return peer instanceof TcpEndpoint server
         ? "TcpEndpoint[" + server.getHost() + ":" + server.getPort() + "]"
         : peer.toString();
@@ -210,6 +238,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     if (deadlineMillis < 1) {
       throw new InvalidObjectException("deadline of " + deadlineMillis + " ms");
     }
+    deadlineMillis = Math.min(deadlineMillis, LONGEST_ACTIVATION_MILLIS);
+    isRead = true;
   }
 
   /** Carries a throwable that is neither exception nor error across the thread. */

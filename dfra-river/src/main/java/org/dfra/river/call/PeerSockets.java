@@ -47,14 +47,25 @@ final class PeerSockets extends SocketFactory implements Serializable {
 
   /** Finds out whether a server's host is there, in the background; see the class. */
   static void doubt(TcpEndpoint server) {
+    if (isDue(server)) {
+      CallThreads.run(new FutureTask<>(() -> knock(server), null));
+    }
+  }
+
+  /** The same on this thread, which takes {@value #KNOCK_MILLIS} ms at the longest. */
+  static void probe(TcpEndpoint server) {
+    if (isDue(server)) {
+      knock(server);
+    }
+  }
+
+  private static boolean isDue(TcpEndpoint server) {
     if (!(server.getSocketFactory() instanceof PeerSockets)) {
-      return;
+      return false;
     }
     long now = System.nanoTime();
     KNOCKED.values().removeIf(at -> now - at > KNOCK_AGAIN_NANOS);
-    if (KNOCKED.putIfAbsent(server, now) == null) {
-      CallThreads.run(new FutureTask<>(() -> knock(server), null));
-    }
+    return KNOCKED.putIfAbsent(server, now) == null;
   }
 
   private static void knock(TcpEndpoint server) {
@@ -148,6 +159,7 @@ final class PeerSockets extends SocketFactory implements Serializable {
 
     @Override
     public void connect(SocketAddress to, int millis) throws IOException {
+      CallInFlight.connecting(this);
       super.connect(to, millis == 0 ? CONNECT_MILLIS : Math.min(millis, CONNECT_MILLIS));
       peer = (InetSocketAddress) to;
       OPEN.add(this);

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicBoolean;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lease.Lease;
@@ -24,6 +25,8 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.access.Caller;
+import org.dfra.river.callback.ClientAddress;
+import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 
@@ -38,20 +41,28 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   private static final String COMPONENT = "org.dfra.river.lease";
 
+  /** Above what listeners may have, each of which holds one. */
+  private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(256, 1024, 4096);
+
   private final String module;
   private final LeaseBook book;
   private final Exporter exporter;
+  private final String host;
+  private final PeerQuota quota;
   private volatile @Nullable LeaseFactory factory;
 
   /**
    * @param module the module's path, {@code robot/name}
    * @param book where its leases are written down
    * @param exporter exports the landlord while it is started
+   * @param host address or name that the module's proxies carry: clients there are on this computer
    */
-  public ModuleLandlord(String module, LeaseBook book, Exporter exporter) {
+  public ModuleLandlord(String module, LeaseBook book, Exporter exporter, String host) {
     this.module = module;
     this.book = book;
     this.exporter = exporter;
+    this.host = host;
+    this.quota = new PeerQuota("leases on " + module, LIMITS);
   }
 
   /**
@@ -100,8 +111,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    *
    * @param duration how long, in milliseconds; {@link Lease#ANY} for the module's choice
    * @param whenOver run once when it has expired or was revoked
-   * @throws LeaseRefusedException if it is longer than allowed, not above zero, or the landlord is
-   *     not started
+   * @throws LeaseRefusedException if it is longer than allowed, not above zero, the landlord is not
+   *     started, or the client holds as many as it may. A commander's lease is not counted: there
+   *     is one at most
    */
   public Lease grant(long duration, Holder holder, Runnable whenOver) throws LeaseRefusedException {
     return grant(duration, holder, whenOver, () -> {});
@@ -118,11 +130,52 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
-    Grant granted = book.grant(asked(duration), holder, clientHost(), whenOver, whenCancelled);
+    Grant granted =
+        holder == Holder.COMMANDER
+            ? book.grant(asked(duration), holder, clientHost(), whenOver, whenCancelled)
+            : counted(asked(duration), holder, whenOver, whenCancelled);
     UUID id = granted.id();
     return open.newLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
         System.currentTimeMillis() + granted.duration().toMillis());
+  }
+
+  private Grant counted(
+      Duration asked, Holder holder, Runnable whenOver, Runnable whenCancelled)
+      throws LeaseRefusedException {
+    ClientAddress client = ClientAddress.ofCall(host);
+    Optional<String> refusal = quota.take(client);
+    if (refusal.isPresent()) {
+      throw new LeaseRefusedException(refusal.get());
+    }
+    AtomicBoolean isHeld = new AtomicBoolean(true);
+    Runnable ended =
+        () -> {
+          if (isHeld.compareAndSet(true, false)) {
+            quota.giveBack(client);
+          }
+        };
+    boolean isGranted = false;
+    try {
+      Grant granted =
+          book.grant(
+              asked,
+              holder,
+              clientHost(),
+              () -> runBoth(ended, whenOver),
+              () -> runBoth(ended, whenCancelled));
+      isGranted = true;
+      return granted;
+    } finally {
+      if (!isGranted) {
+        ended.run();
+      }
+    }
+  }
+
+  private static void runBoth(Runnable first, Runnable second) {
+    first.run();
+    second.run();
   }
 
   /** Where the call under way on this thread came from; null where its transport does not tell. */

@@ -116,8 +116,11 @@ public abstract class ModuleServer<M extends Module>
           ModuleParts.exporter(configuration, new ServerSettings(id, activation.host()));
       this.landlord =
           new ModuleLandlord(
-              path, driver.leases(), Exporters.jeri(activation.host(), DEADLINE_MILLIS));
-      this.listeners = new RemoteListeners(driver, landlord);
+              path,
+              driver.leases(),
+              Exporters.jeri(activation.host(), DEADLINE_MILLIS),
+              activation.host());
+      this.listeners = new RemoteListeners(driver, landlord, activation.host());
       landlord.start();
       undo.push(landlord);
       this.remote = exporter.export(this);

@@ -2,6 +2,7 @@ package org.dfra.river.server;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.LongStream;
 import net.jini.core.lease.Lease;
@@ -11,6 +12,12 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
+import org.dfra.river.call.Callbacks;
+import org.dfra.river.callback.CallbackPeers;
+import org.dfra.river.callback.CallbackPlace;
+import org.dfra.river.callback.CallbackRefusedException;
+import org.dfra.river.callback.ClientAddress;
+import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.remote.LeasedSubscription;
 import org.dfra.river.remote.RemoteModuleListener;
@@ -20,34 +27,50 @@ import org.jspecify.annotations.Nullable;
  * The remote listeners of one module. Each has a lease and a place at the module's hub; it loses
  * both when its client closes the subscription, when the lease has expired, when {@value #FAILURES}
  * deliveries in a row have failed, or when it turns out to be gone.
+ *
+ * <p>Each delivery is a call of at most {@link Callbacks#DEADLINE}, whatever deadline the
+ * listener's proxy brought, in its process' lane. A client has only so many listeners.
  */
 final class RemoteListeners {
 
   /** At a deadline of 2 s each, that is six seconds of silence. */
   private static final int FAILURES = 3;
 
+  private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(128, 512, 1024);
+
   private final ModuleImpl driver;
   private final ModuleLandlord landlord;
+  private final String host;
+  private final PeerQuota quota;
   private final Map<ModuleListener, Registered> registered = new HashMap<>(); // guarded by this
 
-  RemoteListeners(ModuleImpl driver, ModuleLandlord landlord) {
+  /**
+   * @param host address or name that the module's proxies carry
+   */
+  RemoteListeners(ModuleImpl driver, ModuleLandlord landlord, String host) {
     this.driver = driver;
     this.landlord = landlord;
+    this.host = host;
+    this.quota = new PeerQuota("listeners of " + driver.identification().path(), LIMITS);
   }
 
-  /** One listener's lease and place. */
+  /** One listener's lease and places. */
   private static final class Registered {
     final ModuleListener listener;
+    final ClientAddress client;
+    boolean isCounted; // guarded by the listeners
+    @Nullable CallbackPlace place; // guarded by the listeners
     EventHub.@Nullable Entry entry; // guarded by the listeners
     @Nullable UUID lease; // guarded by the listeners
 
-    Registered(ModuleListener listener) {
+    Registered(ModuleListener listener, ClientAddress client) {
       this.listener = listener;
+      this.client = client;
     }
   }
 
   synchronized LeasedSubscription add(ModuleListener listener, DeliveryPolicy policy) {
-    if (!(listener instanceof RemoteModuleListener)) {
+    if (!(listener instanceof RemoteModuleListener remote)) {
       throw new IllegalArgumentException(
           driver.identification().path()
               + " cannot tell a "
@@ -58,19 +81,46 @@ final class RemoteListeners {
     if (before != null) {
       remove(before);
     }
-    Registered now = new Registered(listener);
-    Lease lease;
+    Registered now = new Registered(listener, ClientAddress.ofCall(host));
     try {
-      Runnable gone = () -> remove(now); // also where the client gives the lease back
-      lease = landlord.grant(Lease.ANY, ModuleImpl.holder(policy), gone, gone);
-    } catch (LeaseRefusedException e) {
-      throw new NotReadyException(
-          driver.identification().path(), driver.readiness(), String.valueOf(e.getMessage()));
+      return register(now, remote, policy);
+    } catch (LeaseRefusedException | CallbackRefusedException e) {
+      remove(now);
+      throw refused(String.valueOf(e.getMessage()));
+    } catch (RuntimeException e) {
+      remove(now);
+      throw e;
     }
+  }
+
+  private NotReadyException refused(String reason) {
+    return new NotReadyException(driver.identification().path(), driver.readiness(), reason);
+  }
+
+  private LeasedSubscription register(
+      Registered now, RemoteModuleListener remote, DeliveryPolicy policy)
+      throws LeaseRefusedException, CallbackRefusedException {
+    Optional<String> refusal = quota.take(now.client);
+    if (refusal.isPresent()) {
+      throw refused(refusal.get());
+    }
+    now.isCounted = true;
+    CallbackPlace place = CallbackPeers.shared().admit(now.client, remote);
+    now.place = place;
+    Runnable gone = () -> remove(now); // also where the client gives the lease back
+    Lease lease = landlord.grant(Lease.ANY, ModuleImpl.holder(policy), gone, gone);
     now.lease = ModuleLandlord.id(lease);
-    EventHub.Entry entry = driver.events().add(listener, policy, FAILURES, () -> remove(now));
+    EventHub.Entry entry =
+        driver
+            .events()
+            .add(
+                Callbacks.bounded(remote, RemoteModuleListener.class, Callbacks.DEADLINE),
+                policy,
+                FAILURES,
+                gone,
+                place.lane());
     now.entry = entry;
-    registered.put(listener, now);
+    registered.put(now.listener, now);
     return new LeasedSubscription(
         lease, entry.epoch(), LongStream.of(entry.numbers()).boxed().toList());
   }
@@ -80,6 +130,13 @@ final class RemoteListeners {
     boolean unused = registered.remove(gone.listener, gone);
     if (gone.entry != null) {
       driver.events().remove(gone.entry);
+    }
+    if (gone.place != null) {
+      gone.place.close();
+    }
+    if (gone.isCounted) {
+      gone.isCounted = false;
+      quota.giveBack(gone.client);
     }
     if (gone.lease != null) {
       boolean ended = driver.leases().cancel(gone.lease);

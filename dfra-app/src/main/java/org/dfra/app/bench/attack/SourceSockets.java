@@ -62,8 +62,8 @@ public final class SourceSockets extends SocketFactory implements Serializable {
   }
 
   /**
-   * An endpoint to export the attacker's own objects on: it listens on the address, at a port of the
-   * system's choice, and is stock JERI.
+   * A stock endpoint to export the attacker's own objects on. It listens on the address, at a port
+   * of the system's choice.
    */
   public ServerEndpoint serverEndpoint() {
     return TcpServerEndpoint.getInstance(source, 0, null, serverSockets());

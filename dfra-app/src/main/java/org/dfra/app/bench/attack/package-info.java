@@ -4,9 +4,9 @@
  *
  * <pre>
  *   TaskProcess --starts--&gt; TaskMain --runs--&gt; Task
- *                                              | SourceSockets: connects from the attacker's address
- *                                              | Rebased: stock proxies that use these sockets
- *                                              | RawCall + CallBytes: requests written by hand
+ *                              | SourceSockets: connects from the attacker's address
+ *                              | Rebased: stock proxies that use these sockets
+ *                              | RawCall + CallBytes: requests written by hand
  *   ProcessSample: threads, CPU time and heap of the attacked process
  * </pre>
  *

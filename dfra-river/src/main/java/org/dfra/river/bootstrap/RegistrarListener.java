@@ -1,0 +1,192 @@
+package org.dfra.river.bootstrap;
+
+import com.sun.jini.constants.ThrowableConstants;
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serializable;
+import java.rmi.RemoteException;
+import java.util.ArrayDeque;
+import java.util.Queue;
+import java.util.concurrent.Executor;
+import net.jini.core.event.RemoteEvent;
+import net.jini.core.event.RemoteEventListener;
+import net.jini.core.event.UnknownEventException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What a lookup service holds in place of a client's event listener. It queues events and delivers
+ * them in order, one call at a time, in the lane of the listener's process. Past {@value #DEPTH}
+ * waiting events the oldest is dropped: the client sees the gap in their numbers and asks for
+ * everything.
+ *
+ * <p>Where the listener has answered that it is gone or wants no more, the next event says so to
+ * the lookup service, which ends the registration. Otherwise it lasts as long as its lease.
+ *
+ * <p>Reggie writes it to its log with what came from the client. What is read from there delivers
+ * nothing until {@link RegistrarListeners} has replaced it. Thread-safe.
+ */
+final class RegistrarListener implements RemoteEventListener, Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final Logger LOG = LoggerFactory.getLogger(RegistrarListener.class);
+
+  /** Events that may wait; each costs about 100 bytes here. */
+  private static final int DEPTH = 128;
+
+  private final RemoteEventListener listener;
+  private final String client;
+  private final transient @Nullable Deliveries deliveries; // null where it was read
+
+  /**
+   * @param listener as it came from the client
+   * @param client the client's address
+   * @param bounded the same listener, called under a deadline
+   * @param lane makes the calls; it drops none
+   */
+  RegistrarListener(
+      RemoteEventListener listener, String client, RemoteEventListener bounded, Executor lane) {
+    this.listener = listener;
+    this.client = client;
+    this.deliveries = new Deliveries(bounded, lane);
+  }
+
+  /** As it came from the client. */
+  RemoteEventListener listener() {
+    return listener;
+  }
+
+  /** The client's address. */
+  String client() {
+    return client;
+  }
+
+  /** Queues an event; never waits for the listener. */
+  @Override
+  public void notify(RemoteEvent event) throws UnknownEventException, RemoteException {
+    if (deliveries == null) {
+      throw new IllegalStateException(
+          "a listener that was read from a log is not prepared; name RegistrarListeners as"
+              + " recoveredListenerPreparer in the lookup service's configuration");
+    }
+    deliveries.offer(event);
+  }
+
+  /** Delivers no more. */
+  void close() {
+    if (deliveries != null) {
+      deliveries.close();
+    }
+  }
+
+  /** Reggie keeps events to the same listener in order by this. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof RegistrarListener that && that.listener.equals(listener);
+  }
+
+  @Override
+  public int hashCode() {
+    return listener.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "listener of " + client;
+  }
+
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    if (listener == null || client == null) {
+      throw new InvalidObjectException("a lookup service's listener without proxy or address");
+    }
+  }
+
+  /** Events that wait for the listener; at most one is on its way. */
+  private static final class Deliveries {
+
+    private final RemoteEventListener bounded;
+    private final Executor lane;
+    private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+    private final Queue<RemoteEvent> waiting = new ArrayDeque<>(); // guarded by this
+    private boolean isUnderWay; // guarded by this
+    private boolean isClosed; // guarded by this
+    private @Nullable Throwable end; // guarded by this; what the listener said last
+
+    Deliveries(RemoteEventListener bounded, Executor lane) {
+      this.bounded = bounded;
+      this.lane = lane;
+    }
+
+    synchronized void offer(RemoteEvent event) throws UnknownEventException, RemoteException {
+      if (end instanceof UnknownEventException unknown) {
+        throw unknown;
+      }
+      if (end instanceof RemoteException remote) {
+        throw remote;
+      }
+      if (end != null) {
+        throw new UnknownEventException("the listener failed: " + end);
+      }
+      if (isClosed) {
+        return;
+      }
+      if (waiting.size() == DEPTH) {
+        RemoteEvent unused = waiting.remove();
+      }
+      waiting.add(event);
+      if (!isUnderWay) {
+        isUnderWay = true;
+        lane.execute(this::deliver);
+      }
+    }
+
+    synchronized void close() {
+      isClosed = true;
+      waiting.clear();
+    }
+
+    private void deliver() {
+      @Nullable RemoteEvent event;
+      synchronized (this) {
+        event = waiting.poll();
+      }
+      if (event != null) {
+        call(event);
+      }
+      synchronized (this) {
+        isUnderWay = !waiting.isEmpty();
+        if (isUnderWay) {
+          lane.execute(this::deliver);
+        }
+      }
+    }
+
+    private void call(RemoteEvent event) {
+      Thread thread = Thread.currentThread();
+      @Nullable ClassLoader before = thread.getContextClassLoader();
+      thread.setContextClassLoader(loader);
+      try {
+        bounded.notify(event);
+      } catch (UnknownEventException | RemoteException | RuntimeException | Error e) {
+        failed(e);
+      } finally {
+        thread.setContextClassLoader(before);
+      }
+    }
+
+    private void failed(Throwable e) {
+      boolean isFinal = ThrowableConstants.retryable(e) != ThrowableConstants.INDEFINITE;
+      LOG.debug("An event was not delivered{}.", isFinal ? ", and none will be" : "", e);
+      if (isFinal) {
+        synchronized (this) {
+          end = e;
+          waiting.clear();
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,158 @@
+package org.dfra.river.bootstrap;
+
+import java.rmi.RemoteException;
+import java.util.IdentityHashMap;
+import java.util.Iterator;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import net.jini.core.event.RemoteEventListener;
+import net.jini.security.ProxyPreparer;
+import org.dfra.river.call.Callbacks;
+import org.dfra.river.callback.CallbackPeers;
+import org.dfra.river.callback.CallbackPlace;
+import org.dfra.river.callback.CallbackRefusedException;
+import org.dfra.river.callback.ClientAddress;
+import org.dfra.river.callback.PeerQuota;
+
+/**
+ * The event listeners of one lookup service: for the entries {@code listenerPreparer} and {@code
+ * recoveredListenerPreparer} of {@code com.sun.jini.reggie}, one object for both.
+ *
+ * <p>Reggie calls each listener as its proxy wants, from 50 threads or fewer that also answer
+ * discovery; so a few listeners that never answer would end both. Here each listener is replaced by
+ * a {@link RegistrarListener}, which only queues what it is told and calls the listener in the lane
+ * of its process, under a deadline of this computer's.
+ *
+ * <p>A client has only so many listeners; one more is refused with a sentence. Reggie does not tell
+ * when a registration ends, so {@link RegistrarExporter} says each second which ones there are. A
+ * lookup service that is exported otherwise does not count them. Thread-safe.
+ */
+public final class RegistrarListeners implements ProxyPreparer {
+
+  private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(128, 512, 1024);
+
+  private final String host;
+  private final PeerQuota quota = new PeerQuota("listeners of the lookup service", LIMITS);
+  private final Map<RegistrarListener, Registered> registered =
+      new IdentityHashMap<>(); // guarded by this
+  private boolean isCounting; // guarded by this
+
+  /** What a listener holds here. */
+  private static final class Registered {
+    final ClientAddress client;
+    final CallbackPlace place;
+    boolean isMissed; // guarded by the listeners: reggie did not have it when it was looked for
+
+    Registered(ClientAddress client, CallbackPlace place) {
+      this.client = client;
+      this.place = place;
+    }
+  }
+
+  /**
+   * @param host address or name that the lookup service's proxy carries: clients there are on this
+   *     computer
+   */
+  public RegistrarListeners(String host) {
+    this.host = host;
+  }
+
+  /**
+   * Replaces a listener that has come from a client, or that reggie has read from its log.
+   *
+   * @throws SecurityException if its client has as many as it may, or it is no listener
+   */
+  @Override
+  public Object prepareProxy(Object proxy) throws RemoteException {
+    if (!(proxy instanceof RemoteEventListener)) {
+      throw new SecurityException(
+          "the lookup service got a "
+              + proxy.getClass().getName()
+              + " as listener; export a RemoteEventListener and send its proxy");
+    }
+    ClientAddress client = client(proxy);
+    RemoteEventListener listener = unwrapped((RemoteEventListener) proxy);
+    return register(listener, client);
+  }
+
+  /** Reggie reads its log before it is exported; a client's own claims are not believed. */
+  private synchronized ClientAddress client(Object proxy) {
+    if (!isCounting && proxy instanceof RegistrarListener recovered) {
+      return ClientAddress.of(recovered.client(), host);
+    }
+    return ClientAddress.ofCall(host);
+  }
+
+  private static RemoteEventListener unwrapped(RemoteEventListener listener) {
+    RemoteEventListener inner = listener;
+    while (inner instanceof RegistrarListener wrapper) {
+      inner = wrapper.listener();
+    }
+    return inner;
+  }
+
+  private synchronized RegistrarListener register(
+      RemoteEventListener listener, ClientAddress client) {
+    if (isCounting) {
+      Optional<String> refusal = quota.take(client);
+      if (refusal.isPresent()) {
+        throw new SecurityException(refusal.get());
+      }
+    }
+    try {
+      CallbackPlace place = CallbackPeers.shared().admit(client, listener);
+      RegistrarListener made =
+          new RegistrarListener(
+              listener,
+              client.host(),
+              Callbacks.bounded(listener, RemoteEventListener.class, Callbacks.DEADLINE),
+              place.lane());
+      if (isCounting) {
+        registered.put(made, new Registered(client, place));
+      } else {
+        place.close();
+      }
+      return made;
+    } catch (CallbackRefusedException e) {
+      if (isCounting) {
+        quota.giveBack(client);
+      }
+      throw new SecurityException(String.valueOf(e.getMessage()), e);
+    }
+  }
+
+  /** From now on listeners are counted, since {@link #retain} will be called each second. */
+  synchronized void begin() {
+    isCounting = true;
+  }
+
+  /**
+   * Forgets those that are not registered any more: that were not there twice, since one that is
+   * being registered is not there yet.
+   *
+   * @param live all that are; the very objects
+   */
+  synchronized void retain(Set<Object> live) {
+    for (Iterator<Map.Entry<RegistrarListener, Registered>> all = registered.entrySet().iterator();
+        all.hasNext(); ) {
+      Map.Entry<RegistrarListener, Registered> each = all.next();
+      Registered its = each.getValue();
+      if (live.contains(each.getKey())) {
+        its.isMissed = false;
+      } else if (!its.isMissed) {
+        its.isMissed = true;
+      } else {
+        all.remove();
+        each.getKey().close();
+        its.place.close();
+        quota.giveBack(its.client);
+      }
+    }
+  }
+
+  /** How many listeners are counted. */
+  public int count() {
+    return quota.held();
+  }
+}

@@ -1,0 +1,132 @@
+package org.dfra.river.callback;
+
+import java.rmi.Remote;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.PeerLanes;
+import org.dfra.river.call.Callbacks;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The processes that are called back from this one.
+ *
+ * <p>Their calls run on the {@link DeliveryPool}, in {@link PeerLanes}: other computers together
+ * have {@value #OTHERS} of its threads at most and this computer's own processes as many, so the
+ * modules' listeners in this process always have some. An address has {@value #OF_AN_ADDRESS} of
+ * them, and one process {@value #OF_A_PROCESS}. JERI keeps three threads for each process that is
+ * connected to, and for a while after it is not called any more, so an address has only so many
+ * processes too, and the place of one is given to others {@value #LINGER_SECONDS} s late. Bounds
+ * hold for this virtual machine. Thread-safe.
+ */
+public final class CallbackPeers {
+
+  private static final int OTHERS = 24;
+  private static final int OF_AN_ADDRESS = 6;
+  private static final int OF_A_PROCESS = 4;
+
+  /** JERI looks every 15 s for connections that have not been used since it looked before. */
+  private static final long LINGER_SECONDS = 35;
+
+  private static final long LINGER_NANOS = TimeUnit.SECONDS.toNanos(LINGER_SECONDS);
+
+  private static final PeerQuota.Limits PROCESSES = new PeerQuota.Limits(12, 48, 512);
+
+  private static final CallbackPeers SHARED =
+      new CallbackPeers(DeliveryPool.shared(), Scheduler.system());
+
+  private final PeerLanes others;
+  private final PeerLanes own;
+  private final Scheduler scheduler;
+  private final PeerQuota quota =
+      new PeerQuota("processes that are called back from here", PROCESSES);
+  private final Map<Peer, Places> places = new HashMap<>(); // guarded by this
+
+  private record Peer(ClientAddress client, Object process) {}
+
+  /** Of the objects of one process. */
+  private static final class Places {
+    int count; // guarded by the peers
+    long since; // guarded by the peers: the time when there were none any more
+    boolean isAwaited; // guarded by the peers: whether a task looks after it
+  }
+
+  /**
+   * @param pool makes the calls
+   * @param scheduler the time by which a process is forgotten
+   */
+  CallbackPeers(DeliveryPool pool, Scheduler scheduler) {
+    this.others = new PeerLanes(pool, new PeerLanes.Limits(OF_A_PROCESS, OF_AN_ADDRESS, OTHERS));
+    this.own = new PeerLanes(pool, new PeerLanes.Limits(OF_A_PROCESS, OTHERS, OTHERS));
+    this.scheduler = scheduler;
+  }
+
+  /** Those of this virtual machine. */
+  public static CallbackPeers shared() {
+    return SHARED;
+  }
+
+  /**
+   * Admits an object to be called back.
+   *
+   * @param client who wants it to be
+   * @param callback its proxy, as it came
+   * @throws CallbackRefusedException if it is in another process than the client's others, and
+   *     these are as many as may be
+   */
+  public synchronized CallbackPlace admit(ClientAddress client, Remote callback)
+      throws CallbackRefusedException {
+    Peer peer = new Peer(client, Callbacks.process(callback));
+    @Nullable Places known = places.get(peer);
+    if (known == null) {
+      Optional<String> refusal = quota.take(client);
+      if (refusal.isPresent()) {
+        throw new CallbackRefusedException(refusal.get());
+      }
+      known = new Places();
+      places.put(peer, known);
+    }
+    known.count++;
+    Places held = known;
+    PeerLanes lanes = client.isOwn() ? own : others;
+    return new CallbackPlace(
+        lanes.lane(client.host(), peer.process()), () -> giveBack(peer, held));
+  }
+
+  private synchronized void giveBack(Peer peer, Places held) {
+    held.count--;
+    if (held.count == 0) {
+      held.since = scheduler.nanos();
+      if (!held.isAwaited) {
+        await(peer, held, LINGER_NANOS);
+      }
+    }
+  }
+
+  private void await(Peer peer, Places held, long nanos) {
+    held.isAwaited = true;
+    Scheduler.Task unused = scheduler.after(nanos, () -> look(peer, held));
+  }
+
+  private synchronized void look(Peer peer, Places held) {
+    held.isAwaited = false;
+    if (held.count > 0) {
+      return;
+    }
+    long left = held.since + LINGER_NANOS - scheduler.nanos();
+    if (left > 0) { // there was one again meanwhile
+      await(peer, held, left);
+    } else {
+      places.remove(peer);
+      quota.giveBack(peer.client());
+    }
+  }
+
+  /** How many processes are counted, those included that are not called any more but linger. */
+  public int processes() {
+    return quota.held();
+  }
+}

@@ -1,0 +1,99 @@
+package org.dfra.river.callback;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.rmi.Remote;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import net.jini.id.UuidFactory;
+import net.jini.jeri.BasicObjectEndpoint;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.fixture.SteppedTime;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.junit.jupiter.api.Test;
+
+/** A client has only so many processes that are called back; nothing is called here. */
+class CallbackPeersTest {
+
+  private static final ClientAddress STRANGER = ClientAddress.of("127.1.1.66", "127.1.1.10");
+  private static final ClientAddress OTHER = ClientAddress.of("127.1.1.67", "127.1.1.10");
+
+  /** Of an address. */
+  private static final int PROCESSES = 12;
+
+  private static final Duration LINGER = Duration.ofSeconds(36);
+
+  private final SteppedTime time = new SteppedTime();
+  private final CallbackPeers peers = new CallbackPeers(new DeliveryPool(1, time), time);
+
+  /** A listener in the process that listens at this port. */
+  private static Remote listener(int port) {
+    return (Remote)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(
+                Endpoints.at("127.1.1.66", port), UuidFactory.generate(), false),
+            Duration.ofHours(2),
+            RemoteModuleListener.class.getClassLoader(),
+            RemoteModuleListener.class);
+  }
+
+  private List<CallbackPlace> admitProcesses(ClientAddress client, int firstPort, int count)
+      throws CallbackRefusedException {
+    List<CallbackPlace> places = new ArrayList<>();
+    for (int port = firstPort; port < firstPort + count; port++) {
+      places.add(peers.admit(client, listener(port)));
+    }
+    return places;
+  }
+
+  @Test
+  void manyListenersOfOneProcessAreOneProcess() throws Exception {
+    for (int i = 0; i < 100; i++) {
+      assertThat(peers.admit(STRANGER, listener(7001)).lane()).isNotNull();
+    }
+    assertThat(peers.processes()).isEqualTo(1);
+  }
+
+  @Test
+  void oneProcessTooManyIsRefusedAndTheOtherAddressIsNot() throws Exception {
+    assertThat(admitProcesses(STRANGER, 7001, PROCESSES)).hasSize(PROCESSES);
+    assertThatExceptionOfType(CallbackRefusedException.class)
+        .isThrownBy(() -> peers.admit(STRANGER, listener(7100)))
+        .withMessageStartingWith(
+            "processes that are called back from here: 127.1.1.66 holds 12 of at most 12");
+    assertThat(peers.admit(STRANGER, listener(7001))).as("a known process").isNotNull();
+    assertThat(peers.admit(OTHER, listener(7100))).as("another address").isNotNull();
+  }
+
+  @Test
+  void aProcessThatIsNotCalledAnyMoreMakesRoomOnceItsConnectionIsGone() throws Exception {
+    List<CallbackPlace> places = admitProcesses(STRANGER, 7001, PROCESSES);
+    places.forEach(CallbackPlace::close);
+    places.forEach(CallbackPlace::close);
+    assertThat(peers.processes()).as("their connections linger").isEqualTo(PROCESSES);
+    assertThatExceptionOfType(CallbackRefusedException.class)
+        .isThrownBy(() -> peers.admit(STRANGER, listener(7100)));
+    time.pass(LINGER);
+    assertThat(peers.processes()).isZero();
+    assertThat(admitProcesses(STRANGER, 7100, PROCESSES)).hasSize(PROCESSES);
+  }
+
+  @Test
+  void aProcessThatComesAndGoesAllTheTimeCostsOneTask() throws Exception {
+    for (int i = 0; i < 1000; i++) {
+      peers.admit(STRANGER, listener(7001)).close();
+    }
+    assertThat(time.waiting()).isEqualTo(1);
+    time.pass(LINGER.dividedBy(2));
+    peers.admit(STRANGER, listener(7001)).close();
+    time.pass(LINGER.dividedBy(2).plusSeconds(1));
+    assertThat(peers.processes()).as("it was called meanwhile").isEqualTo(1);
+    time.pass(LINGER);
+    assertThat(peers.processes()).isZero();
+    assertThat(time.waiting()).isZero();
+  }
+}

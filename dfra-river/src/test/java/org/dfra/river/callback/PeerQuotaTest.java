@@ -1,0 +1,66 @@
+package org.dfra.river.callback;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.dfra.river.callback.PeerQuota.Limits;
+import org.junit.jupiter.api.Test;
+
+/** What one client holds leaves room for the others. */
+class PeerQuotaTest {
+
+  private static final ClientAddress OWN = ClientAddress.of("127.0.0.1", "127.8.8.8");
+  private static final ClientAddress FIRST = ClientAddress.of("127.1.1.66", "127.8.8.8");
+  private static final ClientAddress SECOND = ClientAddress.of("127.1.1.67", "127.8.8.8");
+  private static final ClientAddress THIRD = ClientAddress.of("127.1.1.68", "127.8.8.8");
+
+  private final PeerQuota quota = new PeerQuota("listeners of atrv1/gps", new Limits(2, 3, 4));
+
+  private void take(ClientAddress client, int count) {
+    for (int i = 0; i < count; i++) {
+      assertThat(quota.take(client)).as("refusal %d of %s", i, client).isEmpty();
+    }
+  }
+
+  @Test
+  void oneAddressHasItsShareOnly() {
+    take(FIRST, 2);
+    assertThat(quota.take(FIRST))
+        .contains(
+            "listeners of atrv1/gps: 127.1.1.66 holds 2 of at most 2; close some of them first,"
+                + " or wait until their leases end");
+    take(SECOND, 1);
+    quota.giveBack(FIRST);
+    take(FIRST, 1);
+  }
+
+  @Test
+  void otherComputersTogetherCannotUseUpWhatThisOneHas() {
+    take(FIRST, 2);
+    take(SECOND, 1);
+    assertThat(quota.take(THIRD)).get().asString().contains("other computers hold 3 of at most 3");
+    take(OWN, 4);
+    assertThat(quota.take(OWN)).get().asString().contains("this computer holds 4 of at most 4");
+    assertThat(quota.held()).isEqualTo(7);
+    quota.giveBack(SECOND);
+    take(THIRD, 1);
+    assertThat(quota.held()).isEqualTo(7);
+  }
+
+  @Test
+  void theServersAddressAndTheLoopbackAreThisComputer() {
+    assertThat(ClientAddress.of("127.0.0.1", "10.0.0.5").isOwn()).isTrue();
+    assertThat(ClientAddress.of("0:0:0:0:0:0:0:1", "10.0.0.5").isOwn()).isTrue();
+    assertThat(ClientAddress.of("10.0.0.5", "10.0.0.5").isOwn()).isTrue();
+    assertThat(ClientAddress.of("10.0.0.6", "10.0.0.5").isOwn()).isFalse();
+    assertThat(ClientAddress.of("127.0.0.2", "10.0.0.5").isOwn()).isFalse();
+    assertThat(ClientAddress.ofCall("10.0.0.5").isOwn()).as("no remote call").isTrue();
+  }
+
+  @Test
+  void limitsThatCannotBeKeptAreRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Limits(5, 3, 4))
+        .withMessage("limits must be 1 <= perAddress 5 <= others 3, and 1 <= own 4");
+  }
+}
