@@ -32,7 +32,6 @@ record ClassForm(
 
   private static final int IMMUTABLE_SET = 2;
   private static final int IMMUTABLE_MAP = 3;
-  private static final int BYTE = 0xFF;
 
   /** With the bits of a flag. */
   boolean has(int flag) {
@@ -51,19 +50,25 @@ record ClassForm(
   /**
    * What kind of hash table the objects of this class are.
    *
-   * @param number the last integer among an object's primitive fields
+   * @param number the lowest byte of the last of its primitive fields
    */
   Table table(int number) {
     return switch (name) {
       case "java.util.HashSet" -> Table.SET;
       case "java.util.HashMap", "java.util.Hashtable", "java.util.concurrent.ConcurrentHashMap" ->
           Table.MAP;
-      case IMMUTABLE ->
-          switch (number & BYTE) {
-            case IMMUTABLE_SET -> Table.SET;
-            case IMMUTABLE_MAP -> Table.MAP;
-            default -> Table.NONE;
-          };
+      case IMMUTABLE -> immutable(number);
+      default -> Table.NONE;
+    };
+  }
+
+  private Table immutable(int number) {
+    if (primitiveBytes != Integer.BYTES) {
+      return Table.SET; // which of the fields says it is unknown: all may be hashed
+    }
+    return switch (number) {
+      case IMMUTABLE_SET -> Table.SET;
+      case IMMUTABLE_MAP -> Table.MAP;
       default -> Table.NONE;
     };
   }

@@ -7,6 +7,7 @@ import java.io.StreamCorruptedException;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import org.dfra.river.filter.ClassForm.Table;
 import org.jspecify.annotations.Nullable;
 
@@ -35,6 +36,13 @@ final class StreamScanner implements ObjectStreamConstants {
   private static final int HEADER = 4;
   private static final long UNFINISHED = 0;
   private static final String ENDPOINT = "net.jini.jeri.BasicObjectEndpoint";
+
+  /** Classes of the JDK that read themselves without their fields, so none may be described. */
+  private static final Set<String> WITHOUT_FIELDS =
+      Set.of(
+          "java.rmi.activation.ActivationID",
+          "java.util.concurrent.LinkedTransferQueue",
+          "javax.security.auth.x500.X500Principal");
 
   private final RecordedInput in;
   private final SerialLimits limits;
@@ -195,8 +203,8 @@ final class StreamScanner implements ObjectStreamConstants {
     checkDepth();
     ClassForm unused = form();
     int handle = assign();
-    long name = content();
-    return finish(handle, Math.min(name, Cost.LEAF));
+    long unusedName = content();
+    return finish(handle, Cost.LEAF);
   }
 
   private long named() throws IOException {
@@ -238,6 +246,9 @@ final class StreamScanner implements ObjectStreamConstants {
     if (form == null) {
       throw new StreamCorruptedException("an object of no class");
     }
+    if (form.has(SC_EXTERNALIZABLE)) {
+      return finish(handle, external(form));
+    }
     long cost = Cost.LEAF;
     for (ClassForm part : form.lineage()) {
       cost = Cost.sum(cost, data(part));
@@ -245,18 +256,22 @@ final class StreamScanner implements ObjectStreamConstants {
     return finish(handle, cost);
   }
 
+  /** What an object has written that writes all of itself. */
+  private long external(ClassForm form) throws IOException {
+    if (!form.has(SC_BLOCK_DATA)) {
+      throw new StreamCorruptedException(
+          form.name() + " is written by the first version of the protocol, without its length");
+    }
+    build(HeapSize.SMALL_OBJECT);
+    return annotation(Table.NONE);
+  }
+
   /** What one class of an object's lineage has written. */
   private long data(ClassForm form) throws IOException {
-    if (form.has(SC_EXTERNALIZABLE)) {
-      if (!form.has(SC_BLOCK_DATA)) {
-        throw new StreamCorruptedException(
-            form.name() + " is written by the first version of the protocol, without its length");
-      }
-      return annotation(Table.NONE);
-    }
     build(HeapSize.object(form.primitiveBytes(), form.references()));
     in.take(form.primitiveBytes());
-    if (form.name().equals(ENDPOINT) && form.primitiveBytes() == 1 && in.at(in.size() - 1) != 0) {
+    boolean flag = form.primitiveBytes() > 0 && in.at(in.size() - 1) != 0;
+    if (form.name().equals(ENDPOINT) && (flag || form.primitiveBytes() > 1)) {
       throw new RefusedDataException(
           "refused to read a remote reference with distributed garbage collection: to read it"
               + " starts a thread and opens a connection; export the object without, as"
@@ -320,6 +335,7 @@ final class StreamScanner implements ObjectStreamConstants {
 
   private ClassForm describe(int tag) throws IOException {
     references++;
+    checkDepth();
     int handle = assign();
     if (tag == TC_PROXYCLASSDESC) {
       int interfaces = length(in.integer());
@@ -335,6 +351,9 @@ final class StreamScanner implements ObjectStreamConstants {
     in.take(Long.BYTES);
     int flags = in.unsignedByte();
     int fields = in.unsignedShort();
+    if (fields > 0 && WITHOUT_FIELDS.contains(name)) {
+      throw new StreamCorruptedException(name + " with fields, which it never reads");
+    }
     long primitives = 0;
     int others = 0;
     for (int i = 0; i < fields; i++) {
@@ -355,7 +374,6 @@ final class StreamScanner implements ObjectStreamConstants {
       throws IOException {
     long unused = annotation(Table.NONE);
     depth++;
-    checkDepth();
     ClassForm form = new ClassForm(name, flags, primitives, others, form());
     depth--;
     forms.put(handle, form);
