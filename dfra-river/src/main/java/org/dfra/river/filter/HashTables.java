@@ -44,6 +44,9 @@ final class HashTables {
    * @throws RefusedDataException if it is in too many others or there are too many entries
    */
   void opened(long depth, long buckets) {
+    if (limits.tableEntries() == Long.MAX_VALUE) {
+      return;
+    }
     reached(depth);
     checkNesting(open.size() + 1L);
     capacity += buckets;

@@ -8,6 +8,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
+import java.lang.reflect.WildcardType;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashSet;
@@ -123,7 +124,9 @@ final class MethodTypes {
           && (Collection.class.isAssignableFrom(raw) || Map.class.isAssignableFrom(raw))) {
         collections = true;
         Arrays.stream(generic.getActualTypeArguments()).forEach(this::add);
-      } else { // a type variable, a wildcard, a generic class of another kind
+      } else if (type instanceof WildcardType wildcard) {
+        Arrays.stream(wildcard.getUpperBounds()).forEach(this::add);
+      } else { // a type variable, a generic class of another kind
         open = true;
       }
     }

@@ -177,8 +177,7 @@ class GraphFilterTest {
 
   @Test
   void countsReferencesAsTheHeapDoes() throws Exception {
-    Object[][] many = new Object[33][1 << 16]; // 2 MiB of nulls in the stream
-    assertRefused(Payload.bytes(many))
+    assertRefused(Payload.array("[Ljava.lang.Object;", OBJECT_ARRAY, 2 << 20)) // 2 MiB if null
         .hasMessageContaining(" bytes on the heap > 16777216 allowed")
         .hasMessageContaining("dfra.serial.heap");
   }
