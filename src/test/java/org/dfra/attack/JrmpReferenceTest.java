@@ -17,6 +17,8 @@ import java.rmi.registry.LocateRegistry;
 import java.rmi.server.RemoteObject;
 import java.rmi.server.RemoteObjectInvocationHandler;
 import java.util.List;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
 import org.dfra.app.bench.attack.RawCall.Answer;
 import org.dfra.app.bench.attack.RawCall.Status;
 import org.junit.jupiter.api.AfterEach;
@@ -78,15 +80,17 @@ class JrmpReferenceTest {
       out.writeObject(handler());
     }
     attacker.setSoTimeout(PATIENCE);
-    try (ObjectInputStream in =
-        new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-      Object read = in.readObject();
-      try (Socket connection = attacker.accept()) {
-        assertThat(connection.getPort()).isPositive();
-        assertThat(collectors()).isPositive();
-      }
-      assertThat(read).isInstanceOf(RemoteObject.class);
+    FutureTask<Object> reading =
+        new FutureTask<>(
+            () -> new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject());
+    Thread reader = new Thread(reading, "reads a JRMP reference");
+    reader.setDaemon(true);
+    reader.start(); // it waits for the attacker's answer
+    try (Socket connection = attacker.accept()) {
+      assertThat(connection.getPort()).isPositive();
+      assertThat(collectors()).isPositive();
     }
+    assertThat(reading.get(PATIENCE, TimeUnit.MILLISECONDS)).isInstanceOf(RemoteObject.class);
   }
 
   private RemoteObjectInvocationHandler handler() throws Exception {
