@@ -149,7 +149,7 @@ class HashBombTest {
   private static String text(int number) {
     StringBuilder text = new StringBuilder();
     for (int bit = 0; bit < Short.SIZE; bit++) {
-      text.append(EQUAL_HASHES[number >> bit & 1]);
+      text.append(EQUAL_HASHES[(number >> bit) & 1]);
     }
     return text.toString();
   }

@@ -7,20 +7,20 @@ package org.dfra.river.filter;
  */
 final class Cost {
 
+  private static final long MOST = 1L << 40;
+  private static final int NESTING_BITS = 2;
+  private static final long NESTING = (1L << NESTING_BITS) - 1;
+
   /** Of what refers to nothing. */
   static final long LEAF = of(1, 0);
 
   /** Of what is not read to its end: it contains the reference to itself. */
-  static final long ENDLESS = of(Cost.MOST, 0);
-
-  private static final long MOST = 1L << 40;
-  private static final int NESTING_BITS = 2;
-  private static final long NESTING = (1 << NESTING_BITS) - 1;
+  static final long ENDLESS = of(MOST, 0);
 
   private Cost() {}
 
   static long of(long steps, long nesting) {
-    return Math.min(steps, MOST) << NESTING_BITS | Math.min(nesting, NESTING);
+    return (Math.min(steps, MOST) << NESTING_BITS) | Math.min(nesting, NESTING);
   }
 
   static long steps(long cost) {

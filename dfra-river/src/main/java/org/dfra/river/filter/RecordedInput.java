@@ -91,7 +91,7 @@ final class RecordedInput {
 
   int unsignedShort() throws IOException {
     take(Short.BYTES);
-    return at(size - 2) << Byte.SIZE | at(size - 1);
+    return (at(size - 2) << Byte.SIZE) | at(size - 1);
   }
 
   int integer() throws IOException {

@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InvalidObjectException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An object stream's bytes, element by element, each after {@link StreamScanner} has judged it as
@@ -17,6 +18,7 @@ final class ScannedStream extends InputStream {
   private final InputStream source;
   private final StreamScanner scanner;
   private int position; // in the scanner's element
+  private @Nullable IOException failure; // after which nothing more is read
 
   private ScannedStream(InputStream source, SerialLimits limits) {
     this.source = source;
@@ -57,15 +59,28 @@ final class ScannedStream extends InputStream {
     if (position < scanner.element().size()) {
       return false;
     }
-    position = 0;
+    if (failure != null) {
+      throw failure;
+    }
     try {
-      return !scanner.next();
+      boolean ended = !scanner.next();
+      position = 0;
+      return ended;
     } catch (RefusedDataException e) {
       LOG.log(System.Logger.Level.WARNING, e.getMessage());
       InvalidObjectException refusal = new InvalidObjectException(e.getMessage());
       refusal.initCause(e);
-      throw refusal;
+      throw failed(refusal);
+    } catch (IOException e) {
+      throw failed(e);
     }
+  }
+
+  /** Keeps what was read of an element from the reader. */
+  private IOException failed(IOException e) {
+    position = scanner.element().size();
+    failure = e;
+    return e;
   }
 
   @Override
