@@ -2,12 +2,15 @@ package org.dfra.river.filter;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
+import java.rmi.server.RemoteObject;
+import java.rmi.server.RemoteRef;
 import java.rmi.server.UnicastRemoteObject;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -50,11 +53,14 @@ final class AllowedTypes {
           "java.util.logging.Level",
           "javax.security.auth.x500.X500Principal");
 
-  /** Handlers of the JDK and of its activation, which call one remote object each. */
-  private static final Set<String> HANDLERS =
+  /** Handlers of the JDK and of its activation, which call one object exported by JRMP each. */
+  private static final Set<String> JRMP_HANDLERS =
       Set.of(
           "java.rmi.server.RemoteObjectInvocationHandler",
           "java.rmi.activation.ActivatableHandler");
+
+  /** Its serial form holds a JRMP reference; phoenix' own identities have another one. */
+  private static final String ACTIVATION_ID = "java.rmi.activation.ActivationID";
 
   /** Packages with all below them. */
   private static final List<String> OURS = List.of("net.jini.", "com.sun.jini.", "org.dfra.");
@@ -89,6 +95,7 @@ final class AllowedTypes {
           "sun.rmi.");
 
   private final List<String> patterns;
+  private final boolean jrmp;
   private final ClassValue<String> reasons =
       new ClassValue<>() {
         @Override
@@ -98,12 +105,18 @@ final class AllowedTypes {
         }
       };
 
+  /** Without references to objects exported by JRMP. */
+  AllowedTypes(Collection<String> patterns) {
+    this(patterns, false);
+  }
+
   /**
    * @param patterns what else is allowed: a class, {@code package.*}, or {@code package.**} with
    *     all packages below it
+   * @param jrmp whether references to objects exported by JRMP are allowed
    * @throws IllegalArgumentException if one would allow everything, or is none of these
    */
-  AllowedTypes(Collection<String> patterns) {
+  AllowedTypes(Collection<String> patterns, boolean jrmp) {
     for (String pattern : patterns) {
       if (!pattern.matches("[\\w$]+(\\.[\\w$]+)*(\\.\\*\\*?)?")) {
         throw new IllegalArgumentException(
@@ -113,6 +126,7 @@ final class AllowedTypes {
       }
     }
     this.patterns = List.copyOf(patterns);
+    this.jrmp = jrmp;
   }
 
   /** These and the packages of {@code types}, such as those of a remote method's parameters. */
@@ -125,7 +139,7 @@ final class AllowedTypes {
         .map(type -> type.getPackageName() + ".*")
         .distinct()
         .forEach(more::add);
-    return more.size() == patterns.size() ? this : new AllowedTypes(more);
+    return more.size() == patterns.size() ? this : new AllowedTypes(more, jrmp);
   }
 
   /**
@@ -150,6 +164,18 @@ final class AllowedTypes {
         || UnicastRemoteObject.class.isAssignableFrom(type)) {
       return "refused to read class " + name + ": it is known to do harm when it is read";
     }
+    if (type == ConcurrentHashMap.class) {
+      return "refused to read class "
+          + name
+          + ": no filter sees how many entries it has while it is read; send a HashMap";
+    }
+    if (isOfJrmp(type, name) && !jrmp) {
+      return "refused to read class "
+          + name
+          + ": it refers to an object exported by JRMP, and to read it starts a thread and opens a"
+          + " connection; if this program uses such objects, set dfra.serial.jrmp=true where it is"
+          + " read";
+    }
     if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked by themselves
       return null;
     }
@@ -158,7 +184,7 @@ final class AllowedTypes {
     }
     if (InvocationHandler.class.isAssignableFrom(type)
         && type != InvocationHandler.class
-        && !HANDLERS.contains(name)
+        && !JRMP_HANDLERS.contains(name)
         && !isOurs(name)
         && !isTrusted(type)) {
       return "refused to read a proxy whose handler is class "
@@ -174,7 +200,15 @@ final class AllowedTypes {
         + " its package to dfra.serial.allow where it is read";
   }
 
-  private static Class<?> element(Class<?> type) {
+  private static boolean isOfJrmp(Class<?> type, String name) {
+    return RemoteObject.class.isAssignableFrom(type)
+        || (RemoteRef.class.isAssignableFrom(type) && !type.isInterface())
+        || JRMP_HANDLERS.contains(name)
+        || name.equals(ACTIVATION_ID);
+  }
+
+  /** What an array's elements are, or the class itself. */
+  static Class<?> element(Class<?> type) {
     Class<?> element = type;
     while (element.isArray()) {
       element = element.getComponentType();
@@ -214,9 +248,14 @@ final class AllowedTypes {
     return name.equals(pattern) || name.startsWith(pattern + "$");
   }
 
-  /** Splits what a system property lists. */
+  /** Splits what a system property lists; without references to objects exported by JRMP. */
   static AllowedTypes parse(String list) {
+    return parse(list, false);
+  }
+
+  /** The same, with such references or without. */
+  static AllowedTypes parse(String list, boolean jrmp) {
     return new AllowedTypes(
-        Arrays.stream(list.split(",")).map(String::trim).filter(s -> !s.isEmpty()).toList());
+        Arrays.stream(list.split(",")).map(String::trim).filter(s -> !s.isEmpty()).toList(), jrmp);
   }
 }

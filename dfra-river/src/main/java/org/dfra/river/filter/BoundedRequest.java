@@ -7,15 +7,15 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
 
-/** A request whose arguments have a bounded number of bytes. */
+/** A request whose arguments are checked before any of them is built. */
 final class BoundedRequest implements InboundRequest {
 
   private final InboundRequest request;
   private final InputStream arguments;
 
-  BoundedRequest(InboundRequest request, long bytes) {
+  BoundedRequest(InboundRequest request, SerialLimits limits) {
     this.request = request;
-    this.arguments = new BoundedStream(request.getRequestInputStream(), bytes);
+    this.arguments = ScannedStream.of(request.getRequestInputStream(), limits);
   }
 
   @Override

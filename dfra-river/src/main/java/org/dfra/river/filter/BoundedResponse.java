@@ -6,15 +6,15 @@ import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.OutboundRequest;
 
-/** A request whose answer has a bounded number of bytes. */
+/** A request whose answer is checked before any of it is built. */
 final class BoundedResponse implements OutboundRequest {
 
   private final OutboundRequest request;
   private final InputStream answer;
 
-  BoundedResponse(OutboundRequest request, long bytes) {
+  BoundedResponse(OutboundRequest request, SerialLimits limits) {
     this.request = request;
-    this.answer = new BoundedStream(request.getResponseInputStream(), bytes);
+    this.answer = ScannedStream.of(request.getResponseInputStream(), limits);
   }
 
   @Override

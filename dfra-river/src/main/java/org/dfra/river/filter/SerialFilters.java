@@ -3,9 +3,6 @@ package org.dfra.river.filter;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.lang.reflect.Method;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collection;
 import java.util.List;
 import net.jini.jeri.OutboundRequest;
 
@@ -13,8 +10,9 @@ import net.jini.jeri.OutboundRequest;
  * The deserialization filters of this virtual machine.
  *
  * <p>System properties: {@code dfra.serial.allow} lists further classes and packages, and {@code
- * dfra.serial.depth}, {@code .references}, {@code .bytes} and {@code .array} replace limits for
- * everything that comes from the network. They are read once.
+ * dfra.serial.depth}, {@code .references}, {@code .bytes}, {@code .array}, {@code .heap} and {@code
+ * .table} replace limits for everything that comes from the network. {@code dfra.serial.jrmp=true}
+ * allows references to objects exported by JRMP, for programs that use any. They are read once.
  */
 public final class SerialFilters {
 
@@ -34,9 +32,19 @@ public final class SerialFilters {
   /** What is configured; read when it is first needed, so that a main can set it before. */
   private static final class Configured {
     static final AllowedTypes TYPES =
-        AllowedTypes.parse(System.getProperty("dfra.serial.allow", ""));
+        AllowedTypes.parse(
+            System.getProperty("dfra.serial.allow", ""), flag("dfra.serial.jrmp"));
     static final SerialLimits CALL = SerialLimits.CALL.with(System.getProperties());
     static final SerialLimits STREAM = SerialLimits.STREAM.with(System.getProperties());
+
+    private static boolean flag(String key) {
+      String text = System.getProperty(key, "false").trim();
+      if (!text.equals("true") && !text.equals("false")) {
+        throw new IllegalArgumentException(
+            key + " = \"" + text + "\" is neither true nor false; mend the system property");
+      }
+      return text.equals("true");
+    }
   }
 
   /**
@@ -90,16 +98,14 @@ public final class SerialFilters {
     return in;
   }
 
-  /** The most bytes that a call's arguments may have. */
-  static long callBytes() {
-    return Configured.CALL.bytes();
+  /** How large the arguments of one call may be. */
+  static SerialLimits callLimits() {
+    return Configured.CALL;
   }
 
-  /** What the arguments of these methods may hold: the packages of their parameters too. */
-  static AllowedTypes argumentsOf(Collection<Method> methods) {
-    List<Class<?>> types = new ArrayList<>();
-    methods.forEach(method -> types.addAll(Arrays.asList(method.getParameterTypes())));
-    return Configured.TYPES.with(types);
+  /** What the arguments of a method may hold. */
+  static MethodTypes argumentsOf(Method method) {
+    return MethodTypes.of(method, Configured.TYPES);
   }
 
   static ObjectInputFilter call(AllowedTypes types) {
@@ -114,8 +120,11 @@ public final class SerialFilters {
     return new GraphFilter(SerialLimits.STORED, Configured.TYPES);
   }
 
-  /** Makes a request's answer end with an exception beyond the bytes a stream may have. */
+  /**
+   * Reads a request's answer only as far as it is within the limits: its object stream is checked
+   * before anything of it is built.
+   */
   public static OutboundRequest bounded(OutboundRequest request) {
-    return new BoundedResponse(request, Configured.STREAM.bytes());
+    return new BoundedResponse(request, Configured.STREAM);
   }
 }

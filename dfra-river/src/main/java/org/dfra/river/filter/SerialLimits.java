@@ -6,29 +6,40 @@ import java.util.Properties;
 /**
  * How large a serialized graph may be.
  *
- * @param depth nested objects; also bounds the time that nested hash sets can cost, which doubles
- *     with every level
+ * @param depth nested objects
  * @param references objects and back references in one stream
  * @param bytes bytes of one stream, and bytes that its arrays may claim together
  * @param arrayLength elements of one array
+ * @param heap bytes that what one stream builds may take on the heap, as {@link HeapSize} estimates
+ * @param tableEntries entries of all hash tables of one stream together. Keys whose hash codes are
+ *     equal cost its square
  */
-public record SerialLimits(long depth, long references, long bytes, long arrayLength) {
+public record SerialLimits(
+    long depth, long references, long bytes, long arrayLength, long heap, long tableEntries) {
 
-  /** For the arguments of one call. */
-  public static final SerialLimits CALL = new SerialLimits(24, 200_000, 8 << 20, 4 << 20);
+  /** For the arguments of one call: DFRA's own have no hash tables at all. */
+  public static final SerialLimits CALL =
+      new SerialLimits(24, 200_000, 8 << 20, 4 << 20, 16 << 20, 4_096);
 
   /**
    * For every other stream from the network, results too: a registrar may answer with thousands of
    * services.
    */
-  public static final SerialLimits STREAM = new SerialLimits(24, 4_000_000, 64 << 20, 4 << 20);
+  public static final SerialLimits STREAM =
+      new SerialLimits(24, 4_000_000, 64 << 20, 4 << 20, 160 << 20, 16_384);
 
   /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
   public static final SerialLimits STORED =
-      new SerialLimits(24, Long.MAX_VALUE, Long.MAX_VALUE, 16 << 20);
+      new SerialLimits(
+          24, Long.MAX_VALUE, Long.MAX_VALUE, 16 << 20, Long.MAX_VALUE, Long.MAX_VALUE);
 
   public SerialLimits {
-    if (depth < 1 || references < 1 || bytes < 1 || arrayLength < 1) {
+    if (depth < 1
+        || references < 1
+        || bytes < 1
+        || arrayLength < 1
+        || heap < 1
+        || tableEntries < 1) {
       throw new IllegalArgumentException(
           "a limit below 1: depth "
               + depth
@@ -37,15 +48,19 @@ public record SerialLimits(long depth, long references, long bytes, long arrayLe
               + ", bytes "
               + bytes
               + ", array length "
-              + arrayLength);
+              + arrayLength
+              + ", heap "
+              + heap
+              + ", table entries "
+              + tableEntries);
     }
   }
 
   /**
    * These limits, those changed that are set.
    *
-   * @param properties {@code dfra.serial.depth}, {@code .references}, {@code .bytes} and {@code
-   *     .array}
+   * @param properties {@code dfra.serial.depth}, {@code .references}, {@code .bytes}, {@code
+   *     .array}, {@code .heap} and {@code .table}
    * @throws IllegalArgumentException if one is no whole number above 0
    */
   SerialLimits with(Properties properties) {
@@ -53,7 +68,9 @@ public record SerialLimits(long depth, long references, long bytes, long arrayLe
         number(properties, "depth", depth),
         number(properties, "references", references),
         number(properties, "bytes", bytes),
-        number(properties, "array", arrayLength));
+        number(properties, "array", arrayLength),
+        number(properties, "heap", heap),
+        number(properties, "table", tableEntries));
   }
 
   private static long number(Properties properties, String name, long otherwise) {
@@ -84,6 +101,26 @@ public record SerialLimits(long depth, long references, long bytes, long arrayLe
     atMost(info.references(), references, "objects", "dfra.serial.references");
     atMost(info.streamBytes(), bytes, "bytes", "dfra.serial.bytes");
     atMost(info.arrayLength(), arrayLength, "elements in one array", "dfra.serial.array");
+  }
+
+  /**
+   * Compares what a stream builds with the limit.
+   *
+   * @param built bytes on the heap
+   * @throws RefusedDataException if it is more
+   */
+  void checkHeap(long built) {
+    atMost(built, heap, "bytes on the heap", "dfra.serial.heap");
+  }
+
+  /**
+   * Compares the hash tables of a stream with the limit.
+   *
+   * @param entries of all of them together
+   * @throws RefusedDataException if there are more
+   */
+  void checkTables(long entries) {
+    atMost(entries, tableEntries, "entries of hash tables", "dfra.serial.table");
   }
 
   static void atMost(long seen, long allowed, String what, String key) {

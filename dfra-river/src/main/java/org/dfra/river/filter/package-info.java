@@ -2,11 +2,13 @@
  * Deserialization filters: what a stranger may make this virtual machine build.
  *
  * <pre>
- *   call arguments ---&gt; FilteredInvocationDispatcher --\
- *   call results -----&gt; DeadlineInvocationHandler ------+--&gt; GraphFilter: SerialLimits, AllowedTypes
- *   MarshalledInstance, events, lookup results,         |      | class, array or depth not allowed
- *   anything else ----&gt; SerialFilterFactory -----------/       v
- *                       (SerialFilters.install())           RefusedDataException, nothing is built
+ *   call arguments --&gt; FilteredInvocationDispatcher --&gt; StreamScanner --&gt; CallFilter: MethodTypes
+ *   call results ----&gt; DeadlineInvocationHandler -----&gt; StreamScanner --&gt; GraphFilter
+ *   MarshalledInstance, events, lookup results,               | bytes: limits, hash tables,
+ *   anything else ---&gt; SerialFilterFactory -------------------+-------&gt; GraphFilter
+ *                      (SerialFilters.install())              |            | classes: AllowedTypes
+ *                                                             v            v
+ *                                                RefusedDataException, nothing is built
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.filter.SerialFilters}. The package is part of the {@code -dl}

@@ -42,7 +42,8 @@ public final class Exporters {
   /**
    * JRMP, the protocol of plain Java RMI, instead of JERI, for clients that have nothing else: on
    * one address, with the deadline as the longest silence. The proxy of an activatable server
-   * brings it back.
+   * brings it back. A client with filters reads the proxy only where {@code
+   * -Ddfra.serial.jrmp=true} is set.
    *
    * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
    */

@@ -3,6 +3,7 @@ package org.dfra.river.filter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.InvalidClassException;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
@@ -24,11 +25,34 @@ class ActivatableProxyFilterTest {
 
   abstract static class BellImpl implements Bell {}
 
+  private static final List<String> OF_JRMP =
+      List.of(
+          "java.rmi.activation.ActivatableHandler",
+          "java.rmi.activation.ActivationGroup_Stub",
+          "java.rmi.activation.ActivationID",
+          "java.rmi.server.RemoteObject",
+          "java.rmi.server.RemoteObjectInvocationHandler");
+
   @Test
-  void theHandlerOfActivatableObjectsIsAllowed() throws Exception {
-    AllowedTypes types = AllowedTypes.parse("");
-    types.check(Class.forName("java.rmi.activation.ActivatableHandler"));
-    types.check(Class.forName("java.rmi.server.RemoteObjectInvocationHandler"));
+  void referencesOfJrmpAreRefused() throws Exception {
+    AllowedTypes types = AllowedTypes.parse("java.rmi.**");
+    for (String name : OF_JRMP) {
+      Class<?> type = Class.forName(name);
+      assertThatThrownBy(() -> types.check(type))
+          .isInstanceOf(RefusedDataException.class)
+          .hasMessageContaining("refused to read class " + name)
+          .hasMessageContaining("set dfra.serial.jrmp=true where it is read");
+    }
+  }
+
+  @Test
+  void referencesOfJrmpAreAllowedWhereTheyAreConfigured() throws Exception {
+    AllowedTypes types = AllowedTypes.parse("", true);
+    for (String name : OF_JRMP) {
+      types.check(Class.forName(name));
+    }
+    assertThatThrownBy(() -> types.check(java.rmi.server.UnicastRemoteObject.class))
+        .isInstanceOf(RefusedDataException.class);
     assertThatThrownBy(
             () -> types.check(Class.forName("sun.reflect.annotation.AnnotationInvocationHandler")))
         .isInstanceOf(RefusedDataException.class);
@@ -36,7 +60,10 @@ class ActivatableProxyFilterTest {
 
   @Test
   void anActivatableProxyIsReadInAFilteredVirtualMachine() throws Exception {
-    assertThat(ChildJvm.run(Filtered.class, List.of())).contains("read Activatable[");
+    assertThat(ChildJvm.run(Filtered.class, List.of("-Ddfra.serial.jrmp=true")))
+        .contains("read Activatable[");
+    assertThat(ChildJvm.run(Filtered.class, List.of()))
+        .contains("refused to read class java.rmi.activation.ActivatableHandler");
   }
 
   /** Marshals such a proxy and reads it again. */
@@ -48,7 +75,14 @@ class ActivatableProxyFilterTest {
               .getDeclaredMethod("proxy", ActivationID.class, Class.class, Remote.class);
       maker.setAccessible(true);
       Object proxy = maker.invoke(null, null, BellImpl.class, null);
-      InvocationHandler handler = Proxy.getInvocationHandler(new MarshalledObject<>(proxy).get());
+      MarshalledObject<Object> marshalled = new MarshalledObject<>(proxy);
+      InvocationHandler handler;
+      try {
+        handler = Proxy.getInvocationHandler(marshalled.get());
+      } catch (InvalidClassException e) {
+        System.out.println(e.getCause().getMessage());
+        return;
+      }
       assertThat(handler.getClass().getSimpleName()).isEqualTo("ActivatableHandler");
       System.out.println("read " + new MarshalledObject<>(proxy).get());
     }

@@ -138,7 +138,7 @@ class GraphFilterTest {
   void refusesAHashBombInTime() throws Exception {
     byte[] bomb = Payload.bytes(Payload.bomb(30)); // 2 to the 30 where it is built
     long began = System.nanoTime();
-    assertRefused(bomb).hasMessageContaining("objects nested");
+    assertRefused(bomb).hasMessageContaining("3 hash tables in one another > 2 allowed");
     assertThat(System.nanoTime() - began).isLessThan(TimeUnit.SECONDS.toNanos(20));
   }
 
@@ -149,6 +149,43 @@ class GraphFilterTest {
       many.add(i);
     }
     assertRefused(Payload.bytes(many)).hasMessageContaining("objects > 200000 allowed");
+  }
+
+  @Test
+  void tablesBesideEachOtherAreNotInOneAnother() throws Exception {
+    Map<String, Map<String, Integer>> tables = new HashMap<>();
+    for (int i = 0; i < 100; i++) {
+      tables.put("robot " + i, new HashMap<>(Map.of("a", i, "b", -i)));
+    }
+    assertThat(read(Payload.bytes(tables))).isEqualTo(tables);
+    Object list = List.of(tables, new HashMap<>(tables));
+    assertThat(read(Payload.bytes(list))).isEqualTo(list);
+    Object third = new HashMap<>(Map.of("a", tables));
+    assertRefused(Payload.bytes(third)).hasMessageContaining("3 hash tables in one another");
+  }
+
+  @Test
+  void refusesTablesThatAreTooLargeTogether() throws Exception {
+    List<Object> tables = new ArrayList<>();
+    for (int i = 0; i < 257; i++) { // the smallest has 16 places
+      tables.add(new HashMap<>(Map.of(i, i)));
+    }
+    assertRefused(Payload.bytes(tables))
+        .hasMessageContaining("4112 entries of hash tables > 4096 allowed")
+        .hasMessageContaining("dfra.serial.table");
+  }
+
+  @Test
+  void countsReferencesAsTheHeapDoes() throws Exception {
+    assertRefused(Payload.array("[Ljava.lang.Object;", OBJECT_ARRAY, 2 << 20)) // 2 MiB if null
+        .hasMessageContaining(" bytes on the heap > 16777216 allowed")
+        .hasMessageContaining("dfra.serial.heap");
+  }
+
+  @Test
+  void refusesAConcurrentTableOfWhichNothingIsSeen() throws Exception {
+    assertRefused(Payload.bytes(new java.util.concurrent.ConcurrentHashMap<>(Map.of("a", 1))))
+        .hasMessageContaining("send a HashMap");
   }
 
   @Test

@@ -1,0 +1,95 @@
+package org.dfra.river.filter;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InvalidObjectException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An object stream's bytes, element by element, each after {@link StreamScanner} has judged it as
+ * a whole.
+ */
+final class ScannedStream extends InputStream {
+
+  private static final System.Logger LOG = System.getLogger(ScannedStream.class.getName());
+  private static final int BUFFER = 2048;
+
+  private final InputStream source;
+  private final StreamScanner scanner;
+  private int position; // in the scanner's element
+  private @Nullable IOException failure; // after which nothing more is read
+
+  private ScannedStream(InputStream source, SerialLimits limits) {
+    this.source = source;
+    this.scanner = new StreamScanner(source, limits);
+  }
+
+  /**
+   * The same bytes.
+   *
+   * @param in an object stream from its first byte
+   * @param limits how much it may hold
+   */
+  static InputStream of(InputStream in, SerialLimits limits) {
+    return new ScannedStream(
+        new BufferedInputStream(new BoundedStream(in, limits.bytes()), BUFFER), limits);
+  }
+
+  @Override
+  public int read() throws IOException {
+    return isAtEnd() ? -1 : scanner.element().at(position++);
+  }
+
+  @Override
+  public int read(byte[] bytes, int offset, int length) throws IOException {
+    if (length == 0) {
+      return 0;
+    }
+    if (isAtEnd()) {
+      return -1;
+    }
+    int count = Math.min(length, scanner.element().size() - position);
+    scanner.element().copy(position, bytes, offset, count);
+    position += count;
+    return count;
+  }
+
+  private boolean isAtEnd() throws IOException {
+    if (position < scanner.element().size()) {
+      return false;
+    }
+    if (failure != null) {
+      throw failure;
+    }
+    try {
+      boolean ended = !scanner.next();
+      position = 0;
+      return ended;
+    } catch (RefusedDataException e) {
+      LOG.log(System.Logger.Level.WARNING, e.getMessage());
+      InvalidObjectException refusal = new InvalidObjectException(e.getMessage());
+      refusal.initCause(e);
+      throw failed(refusal);
+    } catch (IOException e) {
+      throw failed(e);
+    }
+  }
+
+  /** Keeps what was read of an element from the reader. */
+  private IOException failed(IOException e) {
+    position = scanner.element().size();
+    failure = e;
+    return e;
+  }
+
+  @Override
+  public int available() {
+    return scanner.element().size() - position;
+  }
+
+  @Override
+  public void close() throws IOException {
+    source.close();
+  }
+}
