@@ -35,7 +35,8 @@ class DoctorIT {
     int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
     // Not the usual port, where somebody else's phoenix may answer.
-    Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
+    PrivateFiles.requireFolder(folder.resolve("state"));
+    Path address = folder.resolve("state/phoenix.address");
     Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(state, 2); // for nobody

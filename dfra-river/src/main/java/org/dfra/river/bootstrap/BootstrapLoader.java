@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
@@ -32,17 +33,21 @@ final class BootstrapLoader {
 
   private final PhoenixAdmin admin;
   private final ActivationSystem system;
+  private final Path state;
   private final String robot;
   private final Optional<RobotClasses> classes;
   private final Patience patience;
 
   /**
    * @param classes what the robot serves to clients that lack its classes
+   * @throws RemoteException if this user may not ask phoenix, or there never was one
    */
   BootstrapLoader(
-      PhoenixProcess phoenix, String robot, Optional<RobotClasses> classes, Patience patience) {
+      PhoenixProcess phoenix, String robot, Optional<RobotClasses> classes, Patience patience)
+      throws RemoteException {
     this.admin = phoenix.admin();
     this.system = phoenix.system();
+    this.state = phoenix.state();
     this.robot = robot;
     this.classes = classes;
     this.patience = patience;
@@ -79,6 +84,7 @@ final class BootstrapLoader {
   /** Registers a service group. */
   ActivationGroupID group(GroupDescription group) throws ActivationException, IOException {
     ActivationGroupDesc desc = desc(group);
+    LaunchOptions.permit(state, JvmCommand.options());
     return patience.ask(
         () -> {
           Optional<RegisteredGroup> known = registered(group.name());

@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
@@ -28,7 +29,7 @@ final class GroupEnd {
   /**
    * @param patience for phoenix's answers
    */
-  GroupEnd(PhoenixProcess phoenix, Patience patience) {
+  GroupEnd(PhoenixProcess phoenix, Patience patience) throws RemoteException {
     this.phoenix = phoenix;
     this.admin = phoenix.admin();
     this.patience = patience;

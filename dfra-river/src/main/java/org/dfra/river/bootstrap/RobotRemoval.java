@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
@@ -30,7 +31,7 @@ public final class RobotRemoval {
 
   private record Group(ActivationGroupID id, String name, boolean registrar) {}
 
-  private RobotRemoval(PhoenixProcess phoenix, Duration time) {
+  private RobotRemoval(PhoenixProcess phoenix, Duration time) throws RemoteException {
     this.admin = phoenix.admin();
     this.patience = Patience.of(time);
     this.end = new GroupEnd(phoenix, patience);
