@@ -17,6 +17,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
