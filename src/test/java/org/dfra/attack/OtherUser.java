@@ -42,17 +42,15 @@ final class OtherUser {
   /**
    * The user, or the end of a test that cannot have one.
    *
-   * @param folder an empty folder for the classes; everybody may read it afterwards
+   * @param folder an empty folder for the classes, in one of the test's own; everybody may read
+   *     both afterwards
    */
   static OtherUser assumed(Path folder) throws IOException, InterruptedException {
     assumeTrue(
         run(List.of("true")), "only root can start processes as user " + NAME + ", with setpriv");
-    for (Path each = folder; each != null && Files.isWritable(each); each = each.getParent()) {
-      if (run(List.of("ls", folder.toString()))) {
-        break;
-      }
-      Files.setPosixFilePermissions(each, PosixFilePermissions.fromString("rwxr-xr-x"));
-    }
+    open(folder);
+    open(folder.getParent());
+    assumeTrue(run(List.of("ls", folder.toString())), "user " + NAME + " cannot enter " + folder);
     OtherUser user = new OtherUser(options(folder));
     List<String> version = new ArrayList<>(List.of(JvmCommand.java()));
     version.addAll(user.options);

@@ -38,7 +38,6 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   private static final Logger LOG = LoggerFactory.getLogger(PhoenixProcess.class);
 
   private static final Duration DEADLINE = Duration.ofSeconds(10);
-  private static final int ROOT = 0; // it may read every secret anyway
   private static final String MAIN = Phoenix.class.getName();
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
@@ -77,7 +76,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    */
   public void requireOwn() throws AccessException {
     try {
-      PhoenixLocator.system(host, port, journal(), DEADLINE);
+      ActivationSystem unused = PhoenixLocator.system(host, port, journal(), DEADLINE);
     } catch (AccessException e) {
       throw e;
     } catch (RemoteException e) {
@@ -89,7 +88,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   private void requireOwnPort() throws AccessException {
     PortOwner owners = PortOwner.system();
     OptionalInt owner = owners.of(host, port);
-    if (owner.isPresent() && owner.getAsInt() != ROOT && owner.getAsInt() != expectedOwner()) {
+    if (owner.isPresent() && owner.getAsInt() != expectedOwner()) {
       throw new AccessException(
           "port "
               + port
