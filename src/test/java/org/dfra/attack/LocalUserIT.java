@@ -32,7 +32,7 @@ class LocalUserIT {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final String GROUP = "local.lookup";
 
-  /** Of the system and the monitor in versions before 0.2: everybody knows them. */
+  /** Of the system and the monitor in former versions: everybody knows them. */
   private static final List<String> FORMER =
       List.of("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12", "6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a13");
 

@@ -75,7 +75,9 @@ final class StateCheck implements Check {
       @Nullable String fault = existing.equals(state) ? openness(state) : null;
       if (fault != null) {
         return Finding.fail(
-            subject(), fault, "Until then no phoenix starts with it; ./dfra down ends one that runs.");
+            subject(),
+            fault,
+            "Until then no phoenix starts with it; ./dfra down ends one that runs.");
       }
       return Finding.ok(
           subject(),
