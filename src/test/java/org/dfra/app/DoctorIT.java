@@ -17,6 +17,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
@@ -35,7 +36,8 @@ class DoctorIT {
     int registrar = FreePorts.next();
     String state = "--state=" + folder.resolve("state");
     // Not the usual port, where somebody else's phoenix may answer.
-    Path address = Files.createDirectory(folder.resolve("state")).resolve("phoenix.address");
+    PrivateFiles.requireFolder(folder.resolve("state"));
+    Path address = folder.resolve("state/phoenix.address");
     Files.writeString(address, "127.0.0.1:" + FreePorts.next());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(state, 2); // for nobody

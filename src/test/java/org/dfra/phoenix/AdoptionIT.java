@@ -45,9 +45,10 @@ class AdoptionIT {
         used != null
             ? used
             : new PhoenixFixture(
-                Files.createTempDirectory(temp, "phoenix"),
-                "restartDelay=10L",
-                "unexportTimeout=1000L");
+                    Files.createTempDirectory(temp, "phoenix"),
+                    "restartDelay=10L",
+                    "unexportTimeout=1000L")
+                .withRegistry();
     left = phoenix;
     if (used == null) {
       phoenix.start();
@@ -233,7 +234,8 @@ class AdoptionIT {
         }) {
       assertThat(second.startInVain())
           .contains("Phoenix cannot start: The journal in " + phoenix.journal())
-          .contains("process " + phoenix.process().pid() + " still owns this journal");
+          .containsPattern(
+              "process " + phoenix.process().pid() + " of user \\S+ still owns this journal");
     }
     phoenix.group("two");
     phoenix.kill();

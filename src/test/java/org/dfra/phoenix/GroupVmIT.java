@@ -50,7 +50,8 @@ class GroupVmIT {
                 "restartHoldOff=8000L",
                 "restartWindow=20000L",
                 "unexportTimeout=1000L",
-                "permittedCommands=new String[] { \"*\" }")
+                "permittedCommands=new String[] { \"*\" }",
+                "permittedOptions=new String[] { \"*\" }")
             .start();
     quietGroup = phoenix.group("quiet");
     quiet = phoenix.beacon(quietGroup, "ok " + phoenix.device("quiet"), false);
@@ -287,7 +288,7 @@ class GroupVmIT {
         .isEqualTo(11);
     assertThat(output)
         .content()
-        .contains("process " + quiet.pid() + " still owns this group")
+        .containsPattern("process " + quiet.pid() + " of user \\S+ still owns this group")
         .contains("a second one is refused until that one has ended");
     assertThat(quiet.pid()).isPositive();
   }

@@ -62,6 +62,7 @@ class PhoenixFixture implements AutoCloseable {
   final int registryPort;
   private final List<String> overrides;
   private List<String> wrapper = List.of();
+  private boolean registry;
   private Path journal;
   private Process process;
 
@@ -80,6 +81,12 @@ class PhoenixFixture implements AutoCloseable {
   /** Another folder for the journal, on a disk of its own. */
   PhoenixFixture journalIn(Path other) {
     journal = other;
+    return this;
+  }
+
+  /** With the read-only registry, through which any user of this computer finds phoenix. */
+  PhoenixFixture withRegistry() {
+    registry = true;
     return this;
   }
 
@@ -125,7 +132,8 @@ class PhoenixFixture implements AutoCloseable {
     }
     try {
       PhoenixAdmin quick =
-          (PhoenixAdmin) PhoenixLocator.system("127.0.0.1", port, Duration.ofSeconds(2));
+          (PhoenixAdmin)
+              PhoenixLocator.system("127.0.0.1", port, journal(), Duration.ofSeconds(2));
       quick.groupStatus();
       return true;
     } catch (RemoteException e) {
@@ -143,7 +151,7 @@ class PhoenixFixture implements AutoCloseable {
             Stream.of(
                 "host=\"127.0.0.1\"",
                 "port=" + port,
-                "registryPort=" + registryPort,
+                "registryPort=" + (registry ? registryPort : -1),
                 "persistenceDirectory=\"" + journal() + "\"",
                 "outputDirectory=\"" + folder.resolve("output") + "\""),
             overrides.stream())
@@ -182,7 +190,11 @@ class PhoenixFixture implements AutoCloseable {
   }
 
   ActivationSystem system() {
-    return PhoenixLocator.system("127.0.0.1", port, Duration.ofSeconds(10));
+    try {
+      return PhoenixLocator.system("127.0.0.1", port, journal(), Duration.ofSeconds(10));
+    } catch (RemoteException e) {
+      throw new AssertionError("phoenix's identity cannot be read", e);
+    }
   }
 
   PhoenixAdmin admin() {

@@ -22,7 +22,7 @@ class RegistryIT {
 
   @BeforeEach
   void start() throws Exception {
-    phoenix = new PhoenixFixture(temp).start();
+    phoenix = new PhoenixFixture(temp).withRegistry().start();
   }
 
   @AfterEach

@@ -41,8 +41,6 @@ public final class DoctorCommand implements Callable<Integer> {
   /** A phoenix that does not answer on its own host within this time has been stopped, or hangs. */
   private static final Duration DEADLINE = Duration.ofSeconds(2);
 
-  private static final int OF_PHOENIX = 2;
-
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private TeamOptions team;
@@ -113,7 +111,10 @@ public final class DoctorCommand implements Callable<Integer> {
   private Map<Integer, String> ports(PhoenixProcess phoenix) throws IOException {
     Map<Integer, String> uses = new LinkedHashMap<>();
     uses.put(phoenix.port(), "phoenix");
-    uses.put(phoenix.registryPort(), "phoenix's RMI registry");
+    if (phoenix.registryPort() >= 0) {
+      uses.put(phoenix.registryPort(), "phoenix's RMI registry");
+    }
+    int ofPhoenix = uses.size();
     for (RobotDescription robot : team.knownRobots()) {
       robot
           .registrar()
@@ -124,7 +125,7 @@ public final class DoctorCommand implements Callable<Integer> {
               });
     }
     uses.remove(0); // one of the system's choice, or none
-    if (uses.size() == OF_PHOENIX) {
+    if (uses.size() == ofPhoenix) {
       uses.put(RegistrarDescription.DISCOVERY_PORT, "a registrar");
       uses.put(RegistrarDescription.CLASS_PORT, "a class server");
     }

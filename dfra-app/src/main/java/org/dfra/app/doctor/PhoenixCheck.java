@@ -1,5 +1,6 @@
 package org.dfra.app.doctor;
 
+import java.rmi.AccessException;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +19,11 @@ final class PhoenixCheck implements Check {
     /** The process that owns the journal, if there is one. */
     OptionalLong pid();
 
-    /** How its groups are. */
+    /**
+     * How its groups are.
+     *
+     * @throws AccessException if it is another user's
+     */
     List<GroupStatus> groups() throws RemoteException;
 
     /** The file with what it says. */
@@ -41,6 +46,13 @@ final class PhoenixCheck implements Check {
     List<GroupStatus> groups;
     try {
       groups = phoenix.groups();
+    } catch (AccessException e) {
+      return List.of(
+          Finding.warn(
+              subject(),
+              String.valueOf(e.getMessage()),
+              "Ask as that user; for a phoenix of your own name a free --port and a --state"
+                  + " folder."));
     } catch (RemoteException e) {
       return List.of(silent(e));
     }

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
+import org.dfra.core.host.PrivateFiles;
+import org.jspecify.annotations.Nullable;
 
 /** The folder of what phoenix keeps: whether it can be written, its room, its journal. */
 final class StateCheck implements Check {
@@ -70,6 +72,13 @@ final class StateCheck implements Check {
 
   private Finding folder(Path existing) {
     if (Files.isDirectory(existing) && Files.isWritable(existing)) {
+      @Nullable String fault = existing.equals(state) ? openness(state) : null;
+      if (fault != null) {
+        return Finding.fail(
+            subject(),
+            fault,
+            "Until then no phoenix starts with it; ./dfra down ends one that runs.");
+      }
       return Finding.ok(
           subject(),
           existing.equals(state)
@@ -82,6 +91,14 @@ final class StateCheck implements Check {
             ? existing + " cannot be written by this user"
             : existing + " is no folder",
         "Mend its rights, or name another folder with --state or in DFRA_STATE.");
+  }
+
+  private static @Nullable String openness(Path folder) {
+    try {
+      return PrivateFiles.fault(folder);
+    } catch (IOException e) {
+      return e.getMessage();
+    }
   }
 
   private Finding space(Path existing) {

@@ -50,6 +50,7 @@ public final class DownCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     PhoenixProcess phoenix = options.last();
+    phoenix.requireOwn();
     if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
       answer.sentence(
           Map.of("phoenix", "none"),

@@ -26,8 +26,8 @@ public final class PhoenixOptions {
   private static final String ADDRESS = "phoenix.address";
   private static final int USUAL_PORT = 1198;
 
-  /** Port of phoenix's RMI registry where no other is named. */
-  static final int REGISTRY_PORT = 1098;
+  /** Phoenix has no RMI registry where no port is named: any user finds phoenix through it. */
+  static final int REGISTRY_PORT = -1;
 
   private static final int LAST_PORT = 65_535;
 
@@ -82,9 +82,11 @@ public final class PhoenixOptions {
    * The phoenix that answers.
    *
    * @throws CommandFailure if none does
+   * @throws java.rmi.AccessException if it is another user's
    */
   public PhoenixProcess running() throws IOException {
     PhoenixProcess phoenix = last();
+    phoenix.requireOwn();
     if (!phoenix.answers(PATIENCE)) {
       throw new CommandFailure(
           ExitCode.NO_ANSWER,

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.rmi.AccessException;
 import java.rmi.ConnectException;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -168,6 +169,50 @@ class RobotChecksTest {
     Files.write(folder.resolve("journal/Snapshot.1"), new byte[2048]);
     assertThat(state(folder, GIGABYTE))
         .contains(Finding.ok(Subject.JOURNAL, folder.resolve("journal") + " has 2 KB"));
+  }
+
+  @Test
+  void aFolderThatOthersMayEnterIsAFailureWithTheCommandThatMendsIt() throws Exception {
+    Path open = Files.createDirectory(folder.resolve("open"));
+    Files.setPosixFilePermissions(open, PosixFilePermissions.fromString("rwxr-xr-x"));
+    assertThat(state(open, GIGABYTE).get(0))
+        .returns(Verdict.FAIL, Finding::verdict)
+        .returns(
+            "other users may enter the folder "
+                + open
+                + " (rwxr-xr-x), which must be private; type: chmod 700 "
+                + open,
+            Finding::what);
+  }
+
+  @Test
+  void aPhoenixOfAnotherUserIsAWarningThatSaysWhose() {
+    PhoenixCheck.Daemon foreign =
+        new PhoenixCheck.Daemon() {
+          @Override
+          public String address() {
+            return "192.0.2.10:1198";
+          }
+
+          @Override
+          public OptionalLong pid() {
+            return OptionalLong.empty();
+          }
+
+          @Override
+          public List<GroupStatus> groups() throws RemoteException {
+            throw new AccessException("the phoenix on port 1198 belongs to user a; …");
+          }
+
+          @Override
+          public String log() {
+            return "/state/phoenix.log";
+          }
+        };
+    assertThat(new PhoenixCheck(foreign).examine())
+        .singleElement()
+        .returns(Verdict.WARN, Finding::verdict)
+        .returns("the phoenix on port 1198 belongs to user a; …", Finding::what);
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
@@ -37,6 +38,7 @@ final class BootstrapLoader {
 
   private final PhoenixAdmin admin;
   private final ActivationSystem system;
+  private final Path state;
   private final String robot;
   private final AdministrationDescription administration;
   private final Optional<RobotClasses> classes;
@@ -55,6 +57,7 @@ final class BootstrapLoader {
       Patience patience) {
     this.admin = phoenix.admin();
     this.system = phoenix.system();
+    this.state = phoenix.state();
     this.robot = robot;
     this.administration = administration;
     this.classes = classes;
@@ -112,6 +115,7 @@ final class BootstrapLoader {
   /** Registers a service group. */
   ActivationGroupID group(GroupDescription group) throws ActivationException, IOException {
     ActivationGroupDesc desc = desc(group);
+    LaunchOptions.permit(state, JvmCommand.options());
     return patience.ask(
         () -> {
           Optional<RegisteredGroup> known = registered(group.name());

@@ -3,6 +3,7 @@ package org.dfra.river.bootstrap;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.rmi.MarshalledObject;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
@@ -68,7 +69,8 @@ final class BringUp {
       RobotRegistrar registrar,
       ModuleSettings settings,
       Patience patience,
-      BringUpStep.Listener listener) {
+      BringUpStep.Listener listener)
+      throws RemoteException {
     this.admin = phoenix.admin();
     this.robot = robot;
     this.loader = loader;

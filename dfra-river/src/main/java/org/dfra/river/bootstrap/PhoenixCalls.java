@@ -1,5 +1,7 @@
 package org.dfra.river.bootstrap;
 
+import java.nio.file.Path;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationSystem;
 import org.dfra.river.phoenix.PhoenixAdmin;
 
@@ -8,11 +10,16 @@ import org.dfra.river.phoenix.PhoenixAdmin;
  *
  * @param system registers and unregisters
  * @param admin says what is registered and what runs
+ * @param state phoenix's state folder
  */
-record PhoenixCalls(ActivationSystem system, PhoenixAdmin admin) {
+record PhoenixCalls(ActivationSystem system, PhoenixAdmin admin, Path state) {
 
-  /** Nothing is sent before the first call. */
-  static PhoenixCalls to(PhoenixProcess phoenix) {
-    return new PhoenixCalls(phoenix.system(), phoenix.admin());
+  /**
+   * Nothing is sent before the first call.
+   *
+   * @throws RemoteException if this user may not call it, or there never was one
+   */
+  static PhoenixCalls to(PhoenixProcess phoenix) throws RemoteException {
+    return new PhoenixCalls(phoenix.system(), phoenix.admin(), phoenix.state());
   }
 }

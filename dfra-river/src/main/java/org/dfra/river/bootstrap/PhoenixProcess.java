@@ -1,24 +1,33 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.rmi.AccessException;
+import java.rmi.ConnectException;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.Refusal;
 import org.dfra.river.phoenix.GroupStatus;
+import org.dfra.river.phoenix.Identities;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixLocator;
 import org.dfra.river.phoenix.ProcessIdentity;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Step 1 of the bootstrap: phoenix, in a process of its own.
@@ -26,26 +35,90 @@ import org.dfra.river.phoenix.ProcessIdentity;
  * @param host address or name that activation proxies carry
  * @param port TCP port of the activation system
  * @param registryPort port of the read-only RMI registry, or −1 for none
- * @param state folder of phoenix's journal and of its groups' output
+ * @param state folder of phoenix's journal and of its groups' output; other users may not enter it
  */
 public record PhoenixProcess(String host, int port, int registryPort, Path state) {
+
+  private static final Logger LOG = LoggerFactory.getLogger(PhoenixProcess.class);
 
   private static final Duration DEADLINE = Duration.ofSeconds(10);
   private static final String MAIN = Phoenix.class.getName();
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
-  /** The activation system's proxy; nothing is sent before its first call. */
-  public ActivationSystem system() {
-    return PhoenixLocator.system(host, port, DEADLINE);
+  /**
+   * The activation system's proxy; nothing is sent before its first call.
+   *
+   * @throws ConnectException if no phoenix was ever started with this state
+   * @throws AccessException if phoenix, or what listens on its port, is another user's
+   */
+  public ActivationSystem system() throws RemoteException {
+    return system(DEADLINE);
+  }
+
+  private ActivationSystem system(Duration deadline) throws RemoteException {
+    ActivationSystem system = PhoenixLocator.system(host, port, journal(), deadline);
+    requireOwnPort(); // a call carries the identity
+    return system;
   }
 
   /**
    * The administrator's view of it.
    *
    * @param deadline how long each answer is awaited
+   * @throws ConnectException if no phoenix was ever started with this state
+   * @throws AccessException if phoenix, or what listens on its port, is another user's
    */
-  public PhoenixAdmin admin(Duration deadline) {
-    return (PhoenixAdmin) PhoenixLocator.system(host, port, deadline);
+  public PhoenixAdmin admin(Duration deadline) throws RemoteException {
+    return (PhoenixAdmin) system(deadline);
+  }
+
+  /**
+   * Refuses to go on where phoenix is another user's: only that user and root may ask it.
+   *
+   * @throws AccessException saying whose it is, if its identity cannot be read or its port is
+   *     another user's
+   */
+  public void requireOwn() throws AccessException {
+    try {
+      ActivationSystem unused = PhoenixLocator.system(host, port, journal(), DEADLINE);
+    } catch (AccessException e) {
+      throw e;
+    } catch (RemoteException e) {
+      LOG.debug("No phoenix was started with {} yet.", state, e);
+    }
+    requireOwnPort();
+  }
+
+  private void requireOwnPort() throws AccessException {
+    PortOwner owners = PortOwner.system();
+    OptionalInt owner = owners.of(host, port);
+    if (owner.isPresent() && owner.getAsInt() != expectedOwner()) {
+      throw new AccessException(
+          "port "
+              + port
+              + " of "
+              + host
+              + " is held by a process of user "
+              + owners.name(owner.getAsInt())
+              + ", such as that user's phoenix, and not by the phoenix of "
+              + state
+              + "; name another port with --port, or that user's folder with --state");
+    }
+  }
+
+  /** The user's number whose process phoenix must be: the owner of its identity, or else this one. */
+  private int expectedOwner() throws AccessException {
+    Path identity = journal().resolve(Identities.FILE);
+    Path owned = Files.exists(identity) ? identity : Path.of("/proc/self");
+    try {
+      return (Integer) Files.getAttribute(owned, "unix:uid");
+    } catch (IOException e) {
+      throw new AccessException("the owner of " + owned + " cannot be read (" + e + ")");
+    }
+  }
+
+  private Path journal() {
+    return state.resolve("journal");
   }
 
   /** Whether a phoenix answers there. */
@@ -125,7 +198,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
 
   private long owner() throws IOException {
     return Long.parseLong(
-        Files.readString(state.resolve("journal").resolve("phoenix.lock")).strip());
+        Files.readString(journal().resolve("phoenix.lock")).strip());
   }
 
   /** Where processes cannot be looked at, each may be one. */
@@ -134,8 +207,13 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     return !Files.exists(Path.of("/proc/self")) || Files.readString(command).contains(MAIN);
   }
 
-  /** The administrator's view of it. */
-  public PhoenixAdmin admin() {
+  /**
+   * The administrator's view of it.
+   *
+   * @throws ConnectException if no phoenix was ever started with this state
+   * @throws AccessException if phoenix, or what listens on its port, is another user's
+   */
+  public PhoenixAdmin admin() throws RemoteException {
     return (PhoenixAdmin) system();
   }
 
@@ -164,15 +242,18 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * the terminal of whoever starts it nor the end of that terminal ends the robots.
    *
    * @param patience how long to wait
-   * @throws IOException if one answers there already, or if it cannot be started, ends or does not
-   *     answer in time
+   * @throws IOException if one answers there already, the state folder is open to other users, or
+   *     it cannot be started, ends or does not answer in time
    */
   public Process start(Duration patience) throws IOException {
+    requireOwn();
     if (answers()) {
       throw new IOException(
           "a phoenix already answers at " + host + ":" + port + "; use it, or name another port");
     }
     makeFolder();
+    LaunchOptions.clear(state);
+    PrivateFiles.makeFile(log());
     Process process =
         new ProcessBuilder(command())
             .redirectErrorStream(true)
@@ -198,8 +279,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
 
   private void makeFolder() throws IOException {
     try {
-      Files.createDirectories(state);
-    } catch (IOException e) {
+      PrivateFiles.requireFolder(state);
+    } catch (FileSystemException e) {
       throw new IOException(
           "phoenix's folder "
               + state
@@ -264,8 +345,14 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     override(command, "host", quote(host));
     override(command, "port", Integer.toString(port));
     override(command, "registryPort", Integer.toString(registryPort));
-    override(command, "persistenceDirectory", quote(state.resolve("journal").toString()));
+    override(command, "persistenceDirectory", quote(journal().toString()));
     override(command, "outputDirectory", quote(state.resolve("output").toString()));
+    override(
+        command,
+        "permittedOptionsFiles",
+        LaunchOptions.files(state).stream()
+            .map(file -> quote(file.toString()))
+            .collect(Collectors.joining(", ", "new String[] {", "}")));
     return command;
   }
 

@@ -6,17 +6,20 @@ import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The lock that a process holds as long as it lives: a group's virtual machine, so that two of them
  * never own one group's devices together, and the daemon, so that two of them never write one
  * journal. The operating system takes it back when the process dies, however it dies.
+ *
+ * <p>The file is private: whoever may open a file may lock it, also for reading only, and so keep a
+ * group from starting again.
  */
 final class GroupLock implements AutoCloseable {
 
@@ -25,6 +28,11 @@ final class GroupLock implements AutoCloseable {
    * descriptor of the file, so a file that is held here must not even be opened again.
    */
   private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
+
+  private static final Set<StandardOpenOption> OPEN =
+      Set.of(StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+
+  private static final LockHolder HOLDER = new LockHolder(Path.of("/proc"));
 
   private final Path file;
   private final FileChannel channel;
@@ -38,12 +46,12 @@ final class GroupLock implements AutoCloseable {
    * Takes the lock for this virtual machine.
    *
    * @param what it guards, for the message
-   * @throws IOException if another one holds it, naming that one's process
+   * @throws IOException if another one holds it, naming that one's process and user
    */
   static GroupLock take(Path file, String what) throws IOException {
     Path absolute = file.toAbsolutePath().normalize();
     if (!HELD.add(absolute)) {
-      throw owned(Long.toString(ProcessHandle.current().pid()), what, file);
+      throw owned(HOLDER.inWords(ProcessHandle.current().pid()), what, file);
     }
     try {
       return new GroupLock(absolute, lock(file, what));
@@ -54,14 +62,13 @@ final class GroupLock implements AutoCloseable {
   }
 
   private static FileChannel lock(Path file, String what) throws IOException {
-    FileChannel channel =
-        FileChannel.open(
-            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+    FileChannel channel = FileChannel.open(file, OPEN, PrivateFiles.privateFile());
     try {
       @Nullable FileLock lock = channel.tryLock();
       if (lock == null) {
-        throw owned(Files.readString(file).trim(), what, file);
+        throw owned(HOLDER.of(file), what, file);
       }
+      PrivateFiles.closeToOthers(file); // a former version made it readable
       channel.truncate(0);
       channel.write(
           ByteBuffer.wrap(
@@ -72,14 +79,13 @@ final class GroupLock implements AutoCloseable {
       throw e;
     } catch (OverlappingFileLockException e) {
       channel.close();
-      throw owned("of this virtual machine", what, file);
+      throw owned(HOLDER.inWords(ProcessHandle.current().pid()), what, file);
     }
   }
 
-  private static IOException owned(String process, String what, Path file) {
+  private static IOException owned(String holder, String what, Path file) {
     return new IOException(
-        "process "
-            + process
+        holder
             + " still owns "
             + what
             + " (it holds "

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.Stream;
+import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,7 +24,8 @@ import org.jspecify.annotations.Nullable;
  * <p>A process is started in two steps. It does nothing until it has read from its standard input
  * which group it is, and the daemon writes that only when the process's number is safe in the
  * journal. So a daemon that dies between the two leaves a process that ends by itself, and never
- * one that works and is not known.
+ * one that works and is not known. The group's ID has phoenix's secret identity in it; it goes by
+ * that way too, since every user of the computer may read command lines.
  */
 final class GroupProcess {
 
@@ -46,12 +48,13 @@ final class GroupProcess {
   static Process start(
       UUID daemon, String group, ActivationGroupDesc desc, PhoenixConfiguration configuration)
       throws IOException {
-    Files.createDirectories(configuration.outputDirectory());
+    PrivateFiles.makeFolder(configuration.outputDirectory());
     Path said = configuration.outputDirectory().resolve(group + ".vm.log");
     if (Files.exists(said) && Files.size(said) > 0) {
       Files.move(
           said, said.resolveSibling(group + ".vm.log.1"), StandardCopyOption.REPLACE_EXISTING);
     }
+    PrivateFiles.makeFile(said);
     return new ProcessBuilder(command(daemon, group, desc, configuration))
         .redirectErrorStream(true)
         .redirectOutput(said.toFile())

@@ -2,10 +2,10 @@ package org.dfra.river.phoenix;
 
 import com.sun.jini.reliableLog.ReliableLog;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.util.function.Function;
+import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -52,7 +52,7 @@ final class Journal implements AutoCloseable {
    */
   static Journal open(Path folder, int snapshotThreshold) throws IOException {
     try {
-      Files.createDirectories(folder);
+      PrivateFiles.makeFolder(folder);
       GroupLock lock = GroupLock.take(folder.resolve(LOCK), "this journal");
       try {
         return open(folder, lock, snapshotThreshold);

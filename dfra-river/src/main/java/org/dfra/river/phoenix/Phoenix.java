@@ -97,11 +97,14 @@ public final class Phoenix implements AutoCloseable {
   /**
    * Starts phoenix in this virtual machine.
    *
-   * @throws IOException if its journal cannot be used or a port is taken
+   * @throws IOException if its folder is open to other users, its journal cannot be used or a port
+   *     is taken
    */
   public static Phoenix start(Configuration c)
       throws ConfigurationException, IOException, LoginException {
-    PhoenixConfiguration configuration = PhoenixConfiguration.read(c);
+    // First, since a configuration may ask for the identities too, and hides why there are none.
+    SecretIdentities identities = SecretIdentities.in(PhoenixConfiguration.folder(c));
+    PhoenixConfiguration configuration = PhoenixConfiguration.read(c, identities);
     if (configuration.loginContext() == null) {
       return open(configuration);
     }
@@ -175,7 +178,9 @@ public final class Phoenix implements AutoCloseable {
   }
 
   /**
-   * The RMI registry where programs that know only {@code java.rmi.activation} find the system.
+   * The RMI registry where programs that know only {@code java.rmi.activation} find the system: of
+   * any user, since it gives the system's secret identity away. So there is one only where it is
+   * configured.
    *
    * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind does not
    * pass. Its sockets see to the rest. Binding here, in the registry's own virtual machine, meets

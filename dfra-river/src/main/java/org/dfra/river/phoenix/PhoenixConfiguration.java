@@ -52,17 +52,30 @@ record PhoenixConfiguration(
 
   private static final long REGISTRATION_DEADLINE_MILLIS = 10_000;
 
-  /** Reads the entries, with defaults for all but the persistence directory. */
-  static PhoenixConfiguration read(Configuration c) throws ConfigurationException {
+  /** The folder of the journal. */
+  static Path folder(Configuration c) throws ConfigurationException {
+    return Path.of(entry(c, "persistenceDirectory", String.class));
+  }
+
+  /**
+   * Reads the entries, with defaults for all but the persistence directory.
+   *
+   * @param identities under which the default exporters export the system and the monitor
+   */
+  static PhoenixConfiguration read(Configuration c, SecretIdentities identities)
+      throws ConfigurationException {
     try {
-      return readEntries(c);
+      return readEntries(c, identities);
     } catch (IllegalArgumentException e) {
       throw new ConfigurationException(COMPONENT + ": " + e.getMessage(), e);
     }
   }
 
-  private static PhoenixConfiguration readEntries(Configuration c) throws ConfigurationException {
-    Path journal = Path.of(entry(c, "persistenceDirectory", String.class));
+  private static PhoenixConfiguration readEntries(Configuration c, SecretIdentities identities)
+      throws ConfigurationException {
+    Path journal = folder(c);
+    String host = entry(c, "host", String.class, "localhost");
+    int port = number(c, "port", DEFAULT_PORT, 1);
     RestartPolicy restart = RestartPolicy.DEFAULT;
     ExecPolicy exec = ExecPolicy.DEFAULT;
     return new PhoenixConfiguration(
@@ -74,17 +87,17 @@ record PhoenixConfiguration(
             c,
             "activatorExporter",
             Exporter.class,
-            exporter(Identities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
+            exporter(host, port, Identities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
         entry(
             c,
             "systemExporter",
             Exporter.class,
-            exporter(Identities.SYSTEM, REGISTRATION_DEADLINE_MILLIS)),
+            exporter(host, port, identities.system(), REGISTRATION_DEADLINE_MILLIS)),
         entry(
             c,
             "monitorExporter",
             Exporter.class,
-            exporter(Identities.MONITOR, REGISTRATION_DEADLINE_MILLIS)),
+            exporter(host, port, identities.monitor(), REGISTRATION_DEADLINE_MILLIS)),
         entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
         optional(c, "groupConfig", String[].class),
         optional(c, "groupLocation", String.class),
@@ -93,7 +106,7 @@ record PhoenixConfiguration(
         number(c, "groupThrottle", 3, 1),
         millis(c, "unexportTimeout", Duration.ofSeconds(5)),
         millis(c, "unexportWait", Duration.ofMillis(10)),
-        number(c, "registryPort", Integer.getInteger("java.rmi.activation.port", 1098), -1),
+        number(c, "registryPort", -1, -1),
         new RestartPolicy(
             millis(c, "restartDelay", restart.firstDelay()),
             millis(c, "restartLongestDelay", restart.longestDelay()),
@@ -105,13 +118,14 @@ record PhoenixConfiguration(
             entry(c, "customGroups", boolean.class, exec.customGroups()),
             texts(c, "permittedCommands", exec.commands()),
             texts(c, "permittedOptions", exec.options()),
-            texts(c, "permittedProperties", exec.properties())));
+            texts(c, "permittedProperties", exec.properties()),
+            texts(c, "permittedClassPaths", exec.classPaths()),
+            texts(c, "permittedOptionsFiles", List.of()).stream().map(Path::of).toList()));
   }
 
-  /** An exporter on the standard port. */
-  static Exporter exporter(Uuid identity, long deadlineMillis) {
+  private static Exporter exporter(String host, int port, Uuid identity, long deadlineMillis) {
     return new BasicJeriExporter(
-        Endpoints.tcp("localhost", DEFAULT_PORT),
+        Endpoints.tcp(host, port),
         new DeadlineILFactory(deadlineMillis),
         false,
         true,

@@ -1,14 +1,25 @@
 package org.dfra.river.phoenix;
 
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.rmi.AccessException;
+import java.rmi.ConnectException;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 
-/** Finds the phoenix of a host without a registry: its identity is fixed, its port is known. */
+/**
+ * Finds the phoenix of a host without a registry: its port is known, and its identity is read from
+ * the folder of its journal. So only the user that phoenix runs as, and root, find it.
+ */
 public final class PhoenixLocator {
 
   private PhoenixLocator() {}
@@ -18,13 +29,18 @@ public final class PhoenixLocator {
    *
    * @param host where phoenix runs; it answers registrations only to callers on that host
    * @param port its TCP port
+   * @param journal folder of its journal
    * @param deadline how long each answer is awaited
    * @return the proxy; it also implements {@link PhoenixAdmin}
+   * @throws ConnectException if no phoenix was ever started with that folder
+   * @throws AccessException if this user may not read its identity
    */
-  public static ActivationSystem system(String host, int port, Duration deadline) {
+  public static ActivationSystem system(String host, int port, Path journal, Duration deadline)
+      throws RemoteException {
     return (ActivationSystem)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(Endpoints.at(host, port), Identities.SYSTEM, false),
+            new BasicObjectEndpoint(
+                Endpoints.at(host, port), identities(port, journal).system(), false),
             deadline,
             PhoenixLocator.class.getClassLoader(),
             ActivationSystem.class,
@@ -32,5 +48,26 @@ public final class PhoenixLocator {
             ReadinessMonitor.class,
             RemoteMethodControl.class,
             TrustEquivalence.class);
+  }
+
+  /** Remote exceptions take no cause here: with one, their message has several lines. */
+  private static SecretIdentities identities(int port, Path journal) throws RemoteException {
+    Path file = journal.resolve(Identities.FILE);
+    try {
+      return SecretIdentities.read(file);
+    } catch (NoSuchFileException e) {
+      throw new ConnectException("no phoenix was started with " + journal + " yet");
+    } catch (AccessDeniedException e) {
+      throw new AccessException(
+          "the phoenix on port "
+              + port
+              + " belongs to user "
+              + PrivateFiles.ownerName(file)
+              + "; its identity file "
+              + file
+              + " cannot be read");
+    } catch (IOException e) {
+      throw new AccessException(String.valueOf(e.getMessage()));
+    }
   }
 }

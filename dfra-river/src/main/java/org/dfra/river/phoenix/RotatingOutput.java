@@ -6,9 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import org.dfra.core.host.PrivateFiles;
 
 /**
- * A file that never grows beyond a size: when it is full it becomes {@code file.1}, the former
+ * A private file that never grows beyond a size: when it is full it becomes {@code file.1}, the former
  * {@code file.1} becomes {@code file.2}, and so on; the oldest goes.
  */
 final class RotatingOutput extends OutputStream {
@@ -63,6 +64,7 @@ final class RotatingOutput extends OutputStream {
   }
 
   private OutputStream open() throws IOException {
+    PrivateFiles.makeFile(file);
     return Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
   }
 

@@ -5,6 +5,7 @@ import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
@@ -50,16 +51,20 @@ final class InVmPhoenix implements AutoCloseable {
             + port
             + "), new org.dfra.river.call.DeadlineILFactory(20000L), false, true,"
             + " org.dfra.river.phoenix.Identities.";
+    String secret = "(\"" + journal() + "\")); ";
     String text =
         "org.dfra.river.phoenix { persistenceDirectory = \""
-            + folder.resolve("journal")
+            + journal()
             + "\"; registryPort = -1; permittedCommands = new String[] { \"*\" }; activator"
             + exporter
             + "ACTIVATOR); system"
             + exporter
-            + "SYSTEM); monitor"
+            + "system"
+            + secret
+            + "monitor"
             + exporter
-            + "MONITOR); "
+            + "monitor"
+            + secret
             + String.join(" ", entries)
             + "}";
     phoenix = Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0]));
@@ -72,11 +77,20 @@ final class InVmPhoenix implements AutoCloseable {
     return this;
   }
 
-  ActivationSystem system() {
-    return PhoenixLocator.system("127.0.0.1", port, PATIENCE);
+  /** Where it listens on 127.0.0.1. */
+  int port() {
+    return port;
   }
 
-  PhoenixAdmin admin() {
+  private Path journal() {
+    return folder.resolve("journal");
+  }
+
+  ActivationSystem system() throws RemoteException {
+    return PhoenixLocator.system("127.0.0.1", port, journal(), PATIENCE);
+  }
+
+  PhoenixAdmin admin() throws RemoteException {
     return (PhoenixAdmin) system();
   }
 

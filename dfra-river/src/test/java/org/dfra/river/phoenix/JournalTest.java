@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.dfra.core.host.PrivateFiles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.AnnotatedElementContext;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -236,7 +237,8 @@ class JournalTest {
       assertThatExceptionOfType(IOException.class)
           .isThrownBy(() -> Journal.open(temp, NEVER).close())
           .withMessageContaining(
-              "process " + ProcessHandle.current().pid() + " still owns this journal");
+              "process %d of user %s still owns this journal",
+              ProcessHandle.current().pid(), PrivateFiles.user().getName());
       journal.commit(registered("robot"));
     }
     try (Journal next = Journal.open(temp, NEVER)) {

@@ -7,12 +7,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.rmi.activation.ActivationGroupDesc;
 import java.util.List;
 import java.util.Properties;
 import java.util.UUID;
 import java.util.stream.Stream;
 import net.jini.config.ConfigurationFile;
+import org.dfra.core.host.PrivateFiles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -82,11 +84,48 @@ class OutputAndLockTest {
       assertThatExceptionOfType(IOException.class)
           .isThrownBy(() -> GroupLock.take(file, "this group").close())
           .withMessage(
-              "process %s still owns this group (it holds %s); a second one is refused until that"
-                  + " one has ended",
-              ProcessHandle.current().pid(), file);
+              "process %s of user %s still owns this group (it holds %s); a second one is refused"
+                  + " until that one has ended",
+              ProcessHandle.current().pid(), PrivateFiles.user().getName(), file);
     }
     GroupLock.take(file, "this group").close();
+  }
+
+  @Test
+  void lockFileIsItsOwnersOnlyAlsoWhereAFormerVersionMadeIt() throws Exception {
+    Path made = temp.resolve("made.lock");
+    GroupLock.take(made, "this group").close();
+    assertThat(mode(made)).isEqualTo("rw-------");
+
+    Path former = temp.resolve("former.lock");
+    Files.writeString(former, "1");
+    Files.setPosixFilePermissions(former, PosixFilePermissions.fromString("rw-r--r--"));
+    GroupLock.take(former, "this group").close();
+    assertThat(mode(former)).isEqualTo("rw-------");
+  }
+
+  @Test
+  void outputIsItsOwnersOnlyAlsoAfterItMovedOn() throws Exception {
+    Path file = temp.resolve("g.log");
+    try (RotatingOutput out = new RotatingOutput(file, 3, 1)) {
+      out.write("aaa".getBytes(StandardCharsets.UTF_8));
+      out.write("bbb".getBytes(StandardCharsets.UTF_8));
+    }
+    assertThat(mode(file)).isEqualTo("rw-------");
+    assertThat(mode(temp.resolve("g.log.1"))).isEqualTo("rw-------");
+  }
+
+  @Test
+  void journalsFolderIsItsOwnersOnly() throws Exception {
+    Path journal = temp.resolve("state/journal");
+    Journal.open(journal, 200).close();
+    assertThat(mode(journal)).isEqualTo("rwx------");
+    assertThat(mode(journal.getParent())).isEqualTo("rwx------");
+    assertThat(mode(journal.resolve("phoenix.lock"))).isEqualTo("rw-------");
+  }
+
+  private static String mode(Path path) throws IOException {
+    return PosixFilePermissions.toString(Files.getPosixFilePermissions(path));
   }
 
   @Test
@@ -97,7 +136,8 @@ class OutputAndLockTest {
                 new java.io.StringReader(
                     "org.dfra.river.phoenix { persistenceDirectory = \"/j\";"
                         + " groupOptions = new String[] { \"-Ddaemon=1\" }; }"),
-                new String[0]));
+                new String[0]),
+            SecretIdentities.fresh());
     Properties properties = new Properties();
     properties.setProperty("robot", "atrv1");
     UUID daemon = UUID.randomUUID();
@@ -133,7 +173,8 @@ class OutputAndLockTest {
                         new java.io.StringReader(
                             "org.dfra.river.phoenix { persistenceDirectory = \"/j\";"
                                 + " restartDelay = 60000L; }"),
-                        new String[0])))
+                        new String[0]),
+                    SecretIdentities.fresh()))
         .withMessageContaining("restartDelay PT1M > restartLongestDelay PT10S");
   }
 }

@@ -80,7 +80,7 @@ class PhoenixReferenceTest {
   @Test
   void listsEveryEntryOfPhoenixAndNoOther() throws Exception {
     Recorder recorder = new Recorder(new String[0], getClass().getClassLoader());
-    PhoenixConfiguration.read(recorder);
+    PhoenixConfiguration.read(recorder, SecretIdentities.fresh());
 
     compare(recorder.asked, PhoenixConfiguration.COMPONENT, section("## Entries\n"));
   }
