@@ -84,7 +84,8 @@ class FirstOrderIT {
       Instant ordered = Objects.requireNonNull(robot.wheels().firstHalt(), "no order came");
       assertThat(robot.drive().stopState().latched()).isTrue();
       Duration took = Duration.between(typed, ordered);
-      System.out.printf("the first order came %.3f s after the script began%n", took.toNanos() / 1e9);
+      System.out.printf(
+          "the first order came %.3f s after the script began%n", took.toNanos() / 1e9);
       return new Timing(took, whole.stalled(), whole.load());
     }
   }
