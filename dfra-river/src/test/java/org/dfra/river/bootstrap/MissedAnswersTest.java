@@ -101,9 +101,10 @@ class MissedAnswersTest {
           }
         };
     return new BringUp(
-            phoenix.calls(),
+            phoenix.calls(folder),
             ROBOT,
-            new BootstrapLoader(phoenix.calls(), "r", Optional.empty(), patience),
+            new BootstrapLoader(
+                phoenix.calls(folder), "r", ROBOT.administration(), Optional.empty(), patience),
             new RobotRegistrar(ROBOT, "127.0.0.1", false, folder),
             settings,
             patience,
@@ -126,7 +127,7 @@ class MissedAnswersTest {
       assertThat(phoenix.calls(method)).as(method).isGreaterThan(1);
     }
 
-    new RobotRemoval(phoenix.calls(), patience(), TIME).remove("r");
+    new RobotRemoval(phoenix.calls(folder), patience(), TIME).remove("r");
     assertThat(phoenix.objects()).isEmpty();
     assertThat(phoenix.groups()).isEmpty();
   }
@@ -136,7 +137,7 @@ class MissedAnswersTest {
     PlayedPhoenix phoenix = new PlayedPhoenix(0);
     List<Service> unused = bringUp(phoenix);
     phoenix.miss(MISSES);
-    assertThat(Inventory.of(phoenix.calls().admin(), patience()))
+    assertThat(Inventory.of(phoenix.calls(folder).admin(), patience()))
         .extracting(ServiceGroup::name, ServiceGroup::registrarRuns, ServiceGroup::running)
         .containsExactly(tuple("lookup", true, Set.of()), tuple("one", false, Set.of("gps")));
     assertThat(phoenix.calls("groupStatus")).isGreaterThan(MISSES);
@@ -182,12 +183,12 @@ class MissedAnswersTest {
     Process owner = owner();
     try {
       PlayedPhoenix busy = new PlayedPhoenix(MISSES);
-      assertThat(process().groupStatus(busy.calls().admin(), patience())).isEmpty();
+      assertThat(process().groupStatus(busy.calls(folder).admin(), patience())).isEmpty();
       assertThat(busy.calls("groupStatus")).isEqualTo(MISSES + 1);
 
       nanos.set(0);
       assertThatThrownBy(
-              () -> process().groupStatus(new PlayedPhoenix(ALL).calls().admin(), patience()))
+              () -> process().groupStatus(new PlayedPhoenix(ALL).calls(folder).admin(), patience()))
           .isInstanceOf(NoAnswerException.class)
           .hasMessageStartingWith("phoenix at 127.0.0.1:1 did not answer within 60 s (groupStatus ")
           .hasMessageNotContaining("\n");
@@ -204,7 +205,7 @@ class MissedAnswersTest {
     ended.getOutputStream().close();
     assertThat(ended.waitFor(20, TimeUnit.SECONDS)).isTrue();
     PlayedPhoenix phoenix = new PlayedPhoenix(ALL);
-    assertThatThrownBy(() -> process().groupStatus(phoenix.calls().admin(), patience()))
+    assertThatThrownBy(() -> process().groupStatus(phoenix.calls(folder).admin(), patience()))
         .isInstanceOf(ConnectException.class);
     assertThat(phoenix.calls("groupStatus")).isOne();
   }

@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
+import java.nio.file.Path;
 import java.rmi.ConnectException;
 import java.rmi.MarshalledObject;
 import java.rmi.Remote;
@@ -120,8 +121,13 @@ final class PlayedPhoenix {
     misses = new Misses(next);
   }
 
-  PhoenixCalls calls() {
-    return new PhoenixCalls((ActivationSystem) proxy, (PhoenixAdmin) proxy);
+  /**
+   * As the bootstrap calls it.
+   *
+   * @param state stands for phoenix's state folder
+   */
+  PhoenixCalls calls(Path state) {
+    return new PhoenixCalls((ActivationSystem) proxy, (PhoenixAdmin) proxy, state);
   }
 
   /** Names of the groups that are registered, {@code robot.group}. */

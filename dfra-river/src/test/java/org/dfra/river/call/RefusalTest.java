@@ -16,7 +16,8 @@ import java.rmi.ConnectIOException;
 import java.rmi.ServerException;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
-import org.dfra.river.phoenix.PhoenixLocator;
+import net.jini.id.UuidFactory;
+import net.jini.jeri.BasicObjectEndpoint;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,7 +42,13 @@ class RefusalTest {
       assertThat(Refusal.isProvenBy(plain)).as(String.valueOf(plain)).isTrue();
 
       ActivationSystem phoenix =
-          PhoenixLocator.system("127.0.0.1", held.getLocalPort(), Duration.ofSeconds(20));
+          (ActivationSystem)
+              DeadlineILFactory.proxy(
+                  new BasicObjectEndpoint(
+                      Endpoints.at("127.0.0.1", held.getLocalPort()), UuidFactory.generate(), false),
+                  Duration.ofSeconds(20),
+                  RefusalTest.class.getClassLoader(),
+                  ActivationSystem.class);
       java.rmi.ConnectException called =
           catchThrowableOfType(java.rmi.ConnectException.class, phoenix::shutdown);
       assertThat(Refusal.isProvenBy(called)).as(String.valueOf(called)).isTrue();
