@@ -39,8 +39,7 @@ final class ScriptCopy implements AutoCloseable {
             .resolve("dfra-activation.jar");
     this.folder = folder;
     copy(ROOT.resolve("dfra"), folder.resolve("dfra"));
-    copy(
-        ROOT.resolve("src/dist/libexec/java.sh"), folder.resolve("src/dist/libexec/java.sh"));
+    copy(ROOT.resolve("src/dist/libexec/java.sh"), folder.resolve("src/dist/libexec/java.sh"));
     Path jars = folder.resolve(".dfra/jars/one");
     try (Stream<Path> files = Files.walk(lib)) {
       for (Path each : files.filter(Files::isRegularFile).toList()) {

@@ -37,8 +37,7 @@ class RefusalTest {
           catchThrowableOfType(
               ConnectException.class,
               () ->
-                  caller.connect(
-                      new InetSocketAddress("127.0.0.1", held.getLocalPort()), 20_000));
+                  caller.connect(new InetSocketAddress("127.0.0.1", held.getLocalPort()), 20_000));
       assertThat(Refusal.isProvenBy(plain)).as(String.valueOf(plain)).isTrue();
 
       ActivationSystem phoenix =

@@ -192,8 +192,7 @@ class M12RecordingTest {
               .toList();
       assertThat(gps.fix().utc())
           .as("as it was recorded, however long ago that is")
-          .isBetween(
-              times.get(0).minus(ROUNDING), times.get(times.size() - 1).plus(ROUNDING));
+          .isBetween(times.get(0).minus(ROUNDING), times.get(times.size() - 1).plus(ROUNDING));
       assertThat(gps.counts().malformed()).isZero();
     }
   }
