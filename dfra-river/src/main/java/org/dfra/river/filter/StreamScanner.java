@@ -144,7 +144,7 @@ final class StreamScanner implements ObjectStreamConstants {
           case TC_ENUM -> constant();
           case TC_CLASS -> named();
           case TC_CLASSDESC, TC_PROXYCLASSDESC -> {
-            describe(tag);
+            ClassForm unused = describe(tag);
             yield Cost.LEAF;
           }
           case TC_EXCEPTION -> throw aborted();
