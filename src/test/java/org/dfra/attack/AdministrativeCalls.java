@@ -53,8 +53,7 @@ public final class AdministrativeCalls implements Task {
     for (String line; (line = in.readLine()) != null; ) {
       String[] words = line.split(" ");
       SourceSockets sockets = SourceSockets.from(words[0]);
-      ServiceRegistrar registrar =
-          Rebased.registrar(args[0], Integer.parseInt(args[1]), sockets);
+      ServiceRegistrar registrar = Rebased.registrar(args[0], Integer.parseInt(args[1]), sockets);
       RemoteDriveEffector drive = drive(registrar, sockets);
       switch (words[1]) {
         case "lease" -> leases(drive, sockets);
@@ -89,8 +88,7 @@ public final class AdministrativeCalls implements Task {
           "cancel",
           () -> {
             landlord.cancel(
-                UuidFactory.create(
-                    name.getMostSignificantBits(), name.getLeastSignificantBits()));
+                UuidFactory.create(name.getMostSignificantBits(), name.getLeastSignificantBits()));
             return "";
           });
       attempt("revoke", () -> admin.revoke(each.handle()));

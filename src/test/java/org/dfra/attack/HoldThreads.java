@@ -7,8 +7,8 @@ import java.util.concurrent.CountDownLatch;
 import org.dfra.app.bench.attack.Task;
 
 /**
- * A process that is harmed: with each line of its input it begins to hold threads, and half
- * a megabyte of heap for each.
+ * A process that is harmed: with each line of its input it begins to hold threads, and half a
+ * megabyte of heap for each.
  */
 public final class HoldThreads implements Task {
 

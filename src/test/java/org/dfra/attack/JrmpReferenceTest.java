@@ -82,7 +82,8 @@ class JrmpReferenceTest {
     attacker.setSoTimeout(PATIENCE);
     FutureTask<Object> reading =
         new FutureTask<>(
-            () -> new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject());
+            () ->
+                new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject());
     Thread reader = new Thread(reading, "reads a JRMP reference");
     reader.setDaemon(true);
     reader.start(); // it waits for the attacker's answer

@@ -98,8 +98,7 @@ class LocalUserIT {
 
   private static TaskProcess register(Path marker, List<String> identities) throws IOException {
     List<String> arguments =
-        new ArrayList<>(
-            List.of(port(), everybodys.toString(), marker.toString()));
+        new ArrayList<>(List.of(port(), everybodys.toString(), marker.toString()));
     arguments.addAll(identities);
     return nobody.start(RegisterOwnGroup.class, arguments.toArray(String[]::new));
   }

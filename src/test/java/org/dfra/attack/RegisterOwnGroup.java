@@ -69,8 +69,7 @@ public final class RegisterOwnGroup implements Task {
     out.println("done");
   }
 
-  private static void register(
-      ActivationSystem system, ActivationGroupDesc desc, PrintStream out) {
+  private static void register(ActivationSystem system, ActivationGroupDesc desc, PrintStream out) {
     try {
       ActivationGroupID group = system.registerGroup(desc);
       out.println("registered");

@@ -27,8 +27,7 @@ public final class ServePulse implements Task {
   public void run(String[] args, PrintStream out) throws Exception {
     String host = args[0];
     try (EmbeddedRegistrar reggie =
-            new EmbeddedRegistrar(
-                    host, 0, List.of("attack-" + UUID.randomUUID()), LEASE, Map.of())
+            new EmbeddedRegistrar(host, 0, List.of("attack-" + UUID.randomUUID()), LEASE, Map.of())
                 .start();
         ThermometerServer server =
             ServedModule.of(ThermometerServer.class, ThermometerProxy.class, PulseImpl.class)

@@ -57,16 +57,14 @@ class SilentListenersIT {
       try (Subscription honest =
           proxy(port, hosts.operatorSockets())
               .subscribe(
-                  delivery ->
-                      latencies.add(Duration.between(delivery.published(), Instant.now())),
+                  delivery -> latencies.add(Duration.between(delivery.published(), Instant.now())),
                   DeliveryPolicy.keepLast(100))) {
         await("an event before the attack").atMost(PATIENCE).until(() -> !latencies.isEmpty());
         Victim victim = Victim.of(robot.pid());
 
         RemoteThermometer attacked =
             Rebased.of(
-                Rebased.remote(
-                    proxy(port, hosts.attackerSockets()), RemoteThermometer.class),
+                Rebased.remote(proxy(port, hosts.attackerSockets()), RemoteThermometer.class),
                 hosts.attackerSockets());
         int accepted = 0;
         List<String> refusals = new ArrayList<>();
@@ -89,8 +87,7 @@ class SilentListenersIT {
         assertThat(most).as("threads above before").isLessThan(Victim.THREADS);
         victim.assertWithinLimits();
         assertThat(latencies).as("events at the honest listener").hasSizeGreaterThan(10);
-        assertThat(latencies)
-            .allSatisfy(each -> assertThat(each).isLessThan(DELIVERED));
+        assertThat(latencies).allSatisfy(each -> assertThat(each).isLessThan(DELIVERED));
         assertThat(honest.lost()).as("events that the honest listener lost").isZero();
 
         await("the silent listeners are dropped, and others may come")
@@ -132,8 +129,7 @@ class SilentListenersIT {
   /** The module's proxy, found and called from an address. */
   private ThermometerProxy proxy(int port, SourceSockets sockets) throws Exception {
     ServiceRegistrar registrar = Rebased.registrar(hosts.robot(), port, sockets);
-    ServiceTemplate template =
-        new ServiceTemplate(null, new Class<?>[] {Thermometer.class}, null);
+    ServiceTemplate template = new ServiceTemplate(null, new Class<?>[] {Thermometer.class}, null);
     await("the module is listed")
         .atMost(PATIENCE)
         .until(() -> registrar.lookup(template) instanceof ThermometerProxy);

@@ -27,9 +27,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A stranger on the network lists leases, and tries to revoke them, to change the drive's parameters
- * and log level, to end the drive and its registrar, and to release an emergency stop. All of that is
- * refused and the wheels turn on; the robot's own computer and its configured operator still may.
+ * A stranger on the network lists leases, and tries to revoke them, to change the drive's
+ * parameters and log level, to end the drive and its registrar, and to release an emergency stop.
+ * All of that is refused and the wheels turn on; the robot's own computer and its configured
+ * operator still may.
  */
 @Timeout(120)
 class StrangerIT {
@@ -77,9 +78,7 @@ class StrangerIT {
     assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
     task =
         TaskProcess.start(
-            AdministrativeCalls.class,
-            hosts.robot(),
-            Integer.toString(robot.registrar().port()));
+            AdministrativeCalls.class, hosts.robot(), Integer.toString(robot.registrar().port()));
     String unused = task.awaitLine("ready", PATIENCE);
   }
 

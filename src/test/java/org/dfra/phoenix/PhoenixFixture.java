@@ -132,8 +132,7 @@ class PhoenixFixture implements AutoCloseable {
     }
     try {
       PhoenixAdmin quick =
-          (PhoenixAdmin)
-              PhoenixLocator.system("127.0.0.1", port, journal(), Duration.ofSeconds(2));
+          (PhoenixAdmin) PhoenixLocator.system("127.0.0.1", port, journal(), Duration.ofSeconds(2));
       quick.groupStatus();
       return true;
     } catch (RemoteException e) {

@@ -9,10 +9,10 @@ import java.util.Objects;
 import java.util.UUID;
 
 /**
- * The public name of a lease: what listings show, and what an administrator revokes it by. It is
- * no secret. Renewing and cancelling need the lease's ID, which only its holder and its grantor
- * know; the handle is a one-way digest of it, so both can compute the handle, and nobody can
- * compute the ID from it.
+ * The public name of a lease: what listings show, and what an administrator revokes it by. It is no
+ * secret. Renewing and cancelling need the lease's ID, which only its holder and its grantor know;
+ * the handle is a one-way digest of it, so both can compute the handle, and nobody can compute the
+ * ID from it.
  *
  * @param value the first 128 bits of the digest
  */

@@ -8,8 +8,8 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 
 /**
- * Which robots of this computer others can reach, and who may administer them: callers prove nothing
- * yet, so every program on the network of such a robot can read it, command it and stop it.
+ * Which robots of this computer others can reach, and who may administer them: callers prove
+ * nothing yet, so every program on the network of such a robot can read it, command it and stop it.
  */
 final class ExposureCheck implements Check {
 

@@ -22,14 +22,12 @@ class ExposureCheckTest {
         List.of(),
         new AdministrationDescription(List.of(administrators), Place.CODE),
         Optional.empty(),
-        List.of(
-            new GroupDescription("all", List.of(), Optional.empty(), List.of(), Place.CODE)),
+        List.of(new GroupDescription("all", List.of(), Optional.empty(), List.of(), Place.CODE)),
         Path.of(name + ".xml"));
   }
 
   private static List<Finding> examined(RobotDescription... robots) {
-    return new ExposureCheck(
-            List.of(robots), host -> host.equals("auto") ? "192.0.2.5" : host)
+    return new ExposureCheck(List.of(robots), host -> host.equals("auto") ? "192.0.2.5" : host)
         .examine();
   }
 
@@ -69,7 +67,6 @@ class ExposureCheckTest {
                 })
             .examine();
     assertThat(findings)
-        .containsExactly(
-            Finding.fail(Subject.EXPOSURE, "host 192.0.2.9 is gone", "Name another."));
+        .containsExactly(Finding.fail(Subject.EXPOSURE, "host 192.0.2.9 is gone", "Name another."));
   }
 }

@@ -56,7 +56,8 @@ class LeaseViewTest {
     LeaseStatus lease =
         new LeaseStatus(
             ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofSeconds(1));
-    Holders holders = new Holders().add("atrv1/search", Set.of(ID, new LeaseHandle(new UUID(0, 1))));
+    Holders holders =
+        new Holders().add("atrv1/search", Set.of(ID, new LeaseHandle(new UUID(0, 1))));
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/search");
     holders.add("atrv1/avoid", Set.of(ID)); // in the same process

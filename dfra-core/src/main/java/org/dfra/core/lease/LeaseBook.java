@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
  * when its time is, not when somebody asks: its end is noticed by the scheduler.
  *
- * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel the
- * lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
+ * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel
+ * the lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
  *
  * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
  * ends.
@@ -187,11 +187,7 @@ public final class LeaseBook implements AutoCloseable {
   }
 
   private Entry entry(
-      UUID id,
-      Holder holder,
-      @Nullable String host,
-      Runnable whenOver,
-      Runnable whenCancelled) {
+      UUID id, Holder holder, @Nullable String host, Runnable whenOver, Runnable whenCancelled) {
     return new Entry(id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
   }
 
@@ -295,7 +291,8 @@ public final class LeaseBook implements AutoCloseable {
       long now = scheduler.nanos();
       return entries.values().stream()
           .map(each -> status(each, now))
-          .sorted(Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::handle))
+          .sorted(
+              Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::handle))
           .toList();
     }
   }

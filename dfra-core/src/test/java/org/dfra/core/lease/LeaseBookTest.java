@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.lease.Holder;
-import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseStatus;
 import org.junit.jupiter.api.Test;
 
@@ -89,7 +89,13 @@ class LeaseBookTest {
                 Instant.EPOCH,
                 Duration.ofSeconds(4),
                 Duration.ofSeconds(6)),
-            new LeaseStatus(LeaseHandle.of(near), Holder.CLIENT, null, Instant.EPOCH, Duration.ofSeconds(4), null));
+            new LeaseStatus(
+                LeaseHandle.of(near),
+                Holder.CLIENT,
+                null,
+                Instant.EPOCH,
+                Duration.ofSeconds(4),
+                null));
     assertThat(book.cancel(near)).isTrue();
     time.step(Duration.ofSeconds(6));
     assertThat(book.leases()).isEmpty();
@@ -105,7 +111,9 @@ class LeaseBookTest {
       wall.set(Instant.EPOCH.minus(Duration.ofHours(1)));
       UUID younger = stepped.hold(Holder.CLIENT, () -> {});
       time.step(Duration.ofSeconds(1));
-      assertThat(stepped.leases()).extracting(LeaseStatus::handle).containsExactly(LeaseHandle.of(older), LeaseHandle.of(younger));
+      assertThat(stepped.leases())
+          .extracting(LeaseStatus::handle)
+          .containsExactly(LeaseHandle.of(older), LeaseHandle.of(younger));
       assertThat(stepped.leases())
           .extracting(LeaseStatus::held)
           .containsExactly(Duration.ofSeconds(5), Duration.ofSeconds(1));

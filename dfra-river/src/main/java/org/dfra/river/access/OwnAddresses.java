@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
  * other loopback addresses where the robot is exported at an address that others reach: nobody else
  * can call from there.
  *
- * <p>Where the robot itself is exported at a loopback address, several computers may be simulated on
- * one, each with a loopback address. Then only that address and 127.0.0.1 are its own. The latter is
- * where the kernel lets a program call from that has bound its socket to no address, whichever
- * loopback address it calls.
+ * <p>Where the robot itself is exported at a loopback address, several computers may be simulated
+ * on one, each with a loopback address. Then only that address and 127.0.0.1 are its own. The
+ * latter is where the kernel lets a program call from that has bound its socket to no address,
+ * whichever loopback address it calls.
  */
 final class OwnAddresses {
 

@@ -98,8 +98,7 @@ public final class EmbeddedRobot implements AutoCloseable {
       return;
     }
     started = true;
-    admission =
-        AdministrationPolicy.admit(AdministratorAddresses.resolve(robot.administration()));
+    admission = AdministrationPolicy.admit(AdministratorAddresses.resolve(robot.administration()));
     LookupPlaces places = LookupPlaces.of(robot, host, registrar().start().port());
     for (ModuleDescription each : robot.modules()) {
       modules.serve(

@@ -1,7 +1,6 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
-import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;

@@ -106,7 +106,9 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     }
   }
 
-  /** The user's number whose process phoenix must be: the owner of its identity, or else this one. */
+  /**
+   * The user's number whose process phoenix must be: the owner of its identity, or else this one.
+   */
   private int expectedOwner() throws AccessException {
     Path identity = journal().resolve(Identities.FILE);
     Path owned = Files.exists(identity) ? identity : Path.of("/proc/self");
@@ -197,8 +199,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   private long owner() throws IOException {
-    return Long.parseLong(
-        Files.readString(journal().resolve("phoenix.lock")).strip());
+    return Long.parseLong(Files.readString(journal().resolve("phoenix.lock")).strip());
   }
 
   /** Where processes cannot be looked at, each may be one. */

@@ -16,8 +16,8 @@ import org.dfra.river.access.GuardedDispatcher;
 import org.jspecify.annotations.Nullable;
 
 /**
- * JERI's invocation layer with a deadline on every call, filtered arguments, and a guard in front of
- * {@linkplain org.dfra.module.Administrative administrative} methods: what DFRA's exporters are
+ * JERI's invocation layer with a deadline on every call, filtered arguments, and a guard in front
+ * of {@linkplain org.dfra.module.Administrative administrative} methods: what DFRA's exporters are
  * configured with.
  *
  * <p>In a Jini configuration file:

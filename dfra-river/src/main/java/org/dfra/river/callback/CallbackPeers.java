@@ -92,8 +92,7 @@ public final class CallbackPeers {
     known.count++;
     Places held = known;
     PeerLanes lanes = client.isOwn() ? own : others;
-    return new CallbackPlace(
-        lanes.lane(client.host(), peer.process()), () -> giveBack(peer, held));
+    return new CallbackPlace(lanes.lane(client.host(), peer.process()), () -> giveBack(peer, held));
   }
 
   private synchronized void giveBack(Peer peer, Places held) {

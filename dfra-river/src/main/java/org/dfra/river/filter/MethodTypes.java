@@ -158,10 +158,7 @@ final class MethodTypes {
         }
       }
       Class<?> parent = type.getSuperclass();
-      if (parent != null
-          && parent != Object.class
-          && parent != Record.class
-          && named.add(parent)) {
+      if (parent != null && parent != Object.class && parent != Record.class && named.add(parent)) {
         addFields(parent);
       }
     }

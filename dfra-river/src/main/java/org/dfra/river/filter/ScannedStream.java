@@ -7,8 +7,8 @@ import java.io.InvalidObjectException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An object stream's bytes, element by element, each after {@link StreamScanner} has judged it as
- * a whole.
+ * An object stream's bytes, element by element, each after {@link StreamScanner} has judged it as a
+ * whole.
  */
 final class ScannedStream extends InputStream {
 

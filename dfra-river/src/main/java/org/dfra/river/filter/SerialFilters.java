@@ -32,8 +32,7 @@ public final class SerialFilters {
   /** What is configured; read when it is first needed, so that a main can set it before. */
   private static final class Configured {
     static final AllowedTypes TYPES =
-        AllowedTypes.parse(
-            System.getProperty("dfra.serial.allow", ""), flag("dfra.serial.jrmp"));
+        AllowedTypes.parse(System.getProperty("dfra.serial.allow", ""), flag("dfra.serial.jrmp"));
     static final SerialLimits CALL = SerialLimits.CALL.with(System.getProperties());
     static final SerialLimits STREAM = SerialLimits.STREAM.with(System.getProperties());
 

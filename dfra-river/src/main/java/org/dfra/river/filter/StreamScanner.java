@@ -221,8 +221,7 @@ final class StreamScanner implements ObjectStreamConstants {
     if (form == null || form.name().length() < 2 || length < 0) {
       throw new StreamCorruptedException("an array of " + length + " elements of no class");
     }
-    SerialLimits.atMost(
-        length, limits.arrayLength(), "elements in one array", "dfra.serial.array");
+    SerialLimits.atMost(length, limits.arrayLength(), "elements in one array", "dfra.serial.array");
     char element = form.name().charAt(1);
     int width = HeapSize.width(element);
     claimed += (long) length * width;

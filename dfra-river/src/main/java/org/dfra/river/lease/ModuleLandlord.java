@@ -140,8 +140,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
         System.currentTimeMillis() + granted.duration().toMillis());
   }
 
-  private Grant counted(
-      Duration asked, Holder holder, Runnable whenOver, Runnable whenCancelled)
+  private Grant counted(Duration asked, Holder holder, Runnable whenOver, Runnable whenCancelled)
       throws LeaseRefusedException {
     ClientAddress client = ClientAddress.ofCall(host);
     Optional<String> refusal = quota.take(client);
@@ -180,10 +179,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /** Where the call under way on this thread came from; null where its transport does not tell. */
   public static @Nullable String clientHost() {
-    return Caller.current()
-        .map(Caller::address)
-        .map(InetAddress::getHostAddress)
-        .orElse(null);
+    return Caller.current().map(Caller::address).map(InetAddress::getHostAddress).orElse(null);
   }
 
   private Duration asked(long millis) {

@@ -128,8 +128,7 @@ record ExecPolicy(
 
   /** Options that are permitted as they are: those of phoenix's own machine, and the files'. */
   private List<String> verbatim() throws ActivationException {
-    List<String> all =
-        new ArrayList<>(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    List<String> all = new ArrayList<>(ManagementFactory.getRuntimeMXBean().getInputArguments());
     for (Path file : files) {
       if (Files.exists(file)) {
         try {
@@ -165,8 +164,7 @@ record ExecPolicy(
 
   private static String name(ActivationGroupDesc desc) {
     @Nullable Properties properties = desc.getPropertyOverrides();
-    @Nullable String name =
-        properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
+    @Nullable String name = properties == null ? null : properties.getProperty(Phoenix.GROUP_NAME);
     return name == null ? "a group without a name" : "group " + name;
   }
 

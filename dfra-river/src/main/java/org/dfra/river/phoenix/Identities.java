@@ -19,7 +19,9 @@ public final class Identities {
   /** The activator, which anybody may call. */
   public static final Uuid ACTIVATOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a11");
 
-  /** Name of the file with the secret identities, in the folder of the journal; its mode is 0600. */
+  /**
+   * Name of the file with the secret identities, in the folder of the journal; its mode is 0600.
+   */
   public static final String FILE = "identity";
 
   private Identities() {}

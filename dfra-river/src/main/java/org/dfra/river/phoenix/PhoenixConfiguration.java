@@ -125,11 +125,7 @@ record PhoenixConfiguration(
 
   private static Exporter exporter(String host, int port, Uuid identity, long deadlineMillis) {
     return new BasicJeriExporter(
-        Endpoints.tcp(host, port),
-        new DeadlineILFactory(deadlineMillis),
-        false,
-        true,
-        identity);
+        Endpoints.tcp(host, port), new DeadlineILFactory(deadlineMillis), false, true, identity);
   }
 
   private static <T> T entry(Configuration c, String name, Class<T> type)

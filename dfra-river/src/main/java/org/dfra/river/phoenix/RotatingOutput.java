@@ -9,8 +9,8 @@ import java.nio.file.StandardOpenOption;
 import org.dfra.core.host.PrivateFiles;
 
 /**
- * A private file that never grows beyond a size: when it is full it becomes {@code file.1}, the former
- * {@code file.1} becomes {@code file.2}, and so on; the oldest goes.
+ * A private file that never grows beyond a size: when it is full it becomes {@code file.1}, the
+ * former {@code file.1} becomes {@code file.2}, and so on; the oldest goes.
  */
 final class RotatingOutput extends OutputStream {
 

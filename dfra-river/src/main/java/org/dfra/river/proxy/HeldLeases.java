@@ -37,7 +37,6 @@ public final class HeldLeases {
   }
 
   private static LeaseHandle handle(Uuid id) {
-    return LeaseHandle.of(
-        new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
+    return LeaseHandle.of(new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
   }
 }

@@ -148,8 +148,7 @@ class GuardedDispatcherTest {
   void export() throws Exception {
     assumeTrue(isAddressHere(STRANGER), STRANGER + " is no address of this computer");
     Remote proxy = exporter.export(impl);
-    BasicInvocationHandler handler =
-        (BasicInvocationHandler) Proxy.getInvocationHandler(proxy);
+    BasicInvocationHandler handler = (BasicInvocationHandler) Proxy.getInvocationHandler(proxy);
     TcpEndpoint endpoint =
         (TcpEndpoint) ((BasicObjectEndpoint) handler.getObjectEndpoint()).getEndpoint();
     port = endpoint.getPort();
@@ -220,8 +219,7 @@ class GuardedDispatcherTest {
       admitted.set("");
     }
     assertThat(impl.calls).isEqualTo(1);
-    assertThatThrownBy(() -> admitted.set(""))
-        .isInstanceOf(AdministrationRefusedException.class);
+    assertThatThrownBy(() -> admitted.set("")).isInstanceOf(AdministrationRefusedException.class);
   }
 
   @Test

@@ -44,7 +44,9 @@ class RefusalTest {
           (ActivationSystem)
               DeadlineILFactory.proxy(
                   new BasicObjectEndpoint(
-                      Endpoints.at("127.0.0.1", held.getLocalPort()), UuidFactory.generate(), false),
+                      Endpoints.at("127.0.0.1", held.getLocalPort()),
+                      UuidFactory.generate(),
+                      false),
                   Duration.ofSeconds(20),
                   RefusalTest.class.getClassLoader(),
                   ActivationSystem.class);

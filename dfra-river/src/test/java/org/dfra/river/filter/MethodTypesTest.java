@@ -122,8 +122,7 @@ class MethodTypesTest {
     assertThat(call(method("closed"), honest)).hasSize(honest.length);
     assertThat(call(method("closed"), new Square(Mode.ON))).hasSize(1);
     assertThat(call(method("wild"), List.of(new Square(Mode.OFF)))).hasSize(1);
-    assertThat(
-            call(method("plain"), Duration.ZERO, "x", UUID.randomUUID(), Integer.valueOf(1)))
+    assertThat(call(method("plain"), Duration.ZERO, "x", UUID.randomUUID(), Integer.valueOf(1)))
         .hasSize(4);
   }
 
@@ -277,11 +276,9 @@ class MethodTypesTest {
                 1,
                 0,
                 Instant.EPOCH,
-                new ModuleEvent.NewReading(
-                    new EventFilterTest.Freight(new double[] {1, 2, 3})))));
+                new ModuleEvent.NewReading(new EventFilterTest.Freight(new double[] {1, 2, 3})))));
     samples.put(Entry[].class, List.of((Object) new Entry[] {new Name("laser")}));
-    samples.put(
-        LookupLocator[].class, List.of((Object) new LookupLocator[] {locator()}));
+    samples.put(LookupLocator[].class, List.of((Object) new LookupLocator[] {locator()}));
     return samples;
   }
 

@@ -183,8 +183,7 @@ class StreamScannerTest {
     }
   }
 
-  private static final class Nothing
-      implements java.lang.reflect.InvocationHandler, Serializable {
+  private static final class Nothing implements java.lang.reflect.InvocationHandler, Serializable {
     private static final long serialVersionUID = 1L;
 
     @Override

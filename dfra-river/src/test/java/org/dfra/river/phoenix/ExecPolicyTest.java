@@ -46,7 +46,8 @@ class ExecPolicyTest {
   void refusesEachOtherCommandOptionPropertyAndClassPathByNameAndSaysWhereToPermitIt() {
     assertRefused(STRICT, "/opt/java", "command /opt/java of group r.g is", "permittedCommands");
     assertRefused(STRICT, null, "option -Xmx64g of group r.g is", "permittedOptions", "-Xmx64g");
-    assertRefused(STRICT, null, "property robot=b of group r.g", "permittedProperties", "-Drobot=b");
+    assertRefused(
+        STRICT, null, "property robot=b of group r.g", "permittedProperties", "-Drobot=b");
     assertRefused(
         STRICT, null, "class path /b.jar of group r.g", "permittedClassPaths", "-cp", "/b.jar");
     assertThatExceptionOfType(ActivationException.class)
@@ -120,7 +121,8 @@ class ExecPolicyTest {
         "-Dorg.dfra.phoenix.group=x/y"
       })
   void defaultRefusesWhatRunsCodeOrCommandsOrUsesFiles(String option) {
-    assertRefused(ExecPolicy.DEFAULT, null, " of group r.g is not permitted; leave it out", "", option);
+    assertRefused(
+        ExecPolicy.DEFAULT, null, " of group r.g is not permitted; leave it out", "", option);
   }
 
   @Test
@@ -129,11 +131,17 @@ class ExecPolicyTest {
     for (String option : List.of("-cp", "-classpath", "--class-path")) {
       assertPermitted(ExecPolicy.DEFAULT, null, option, own);
       assertRefused(
-          ExecPolicy.DEFAULT, null, "class path", "permittedClassPaths", option, own + ":/tmp/evil");
+          ExecPolicy.DEFAULT,
+          null,
+          "class path",
+          "permittedClassPaths",
+          option,
+          own + ":/tmp/evil");
     }
     List<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments();
     assertPermitted(ExecPolicy.DEFAULT, null, options.toArray(String[]::new));
-    assertRefused(ExecPolicy.DEFAULT, "/bin/rm", "command /bin/rm of group r.g", "permittedCommands");
+    assertRefused(
+        ExecPolicy.DEFAULT, "/bin/rm", "command /bin/rm of group r.g", "permittedCommands");
   }
 
   @Test
@@ -181,8 +189,7 @@ class ExecPolicyTest {
 
   @Test
   void refusesAGroupClassLocationOrDataOfTheCallers() throws Exception {
-    ExecPolicy custom =
-        new ExecPolicy(true, List.of(), List.of(), List.of(), List.of(), List.of());
+    ExecPolicy custom = new ExecPolicy(true, List.of(), List.of(), List.of(), List.of(), List.of());
     for (ActivationGroupDesc each :
         List.of(
             new ActivationGroupDesc("a.Group", null, null, null, null),

@@ -62,8 +62,7 @@ class SecretIdentitiesTest {
             folder, folder);
     assertThat(folder).isEmptyDirectory();
 
-    Files.setPosixFilePermissions(
-        folder.getParent(), PosixFilePermissions.fromString("rwx------"));
+    Files.setPosixFilePermissions(folder.getParent(), PosixFilePermissions.fromString("rwx------"));
     assertThat(SecretIdentities.in(folder)).as("behind a private folder").isNotNull();
   }
 
@@ -99,7 +98,8 @@ class SecretIdentitiesTest {
       for (var identity :
           new net.jini.id.Uuid[] {
             Identities.ACTIVATOR, // well known
-            Identities.uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12"), // well known in versions before
+            Identities.uuid(
+                "6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12"), // well known in versions before
             SecretIdentities.fresh().system()
           }) {
         PhoenixAdmin guessed =
@@ -122,8 +122,7 @@ class SecretIdentitiesTest {
     assertThatExceptionOfType(ConnectException.class)
         .isThrownBy(
             () ->
-                PhoenixLocator.system(
-                    "127.0.0.1", 1, temp.resolve("none"), Duration.ofSeconds(1)))
+                PhoenixLocator.system("127.0.0.1", 1, temp.resolve("none"), Duration.ofSeconds(1)))
         .withMessage("no phoenix was started with %s yet", temp.resolve("none"));
   }
 

@@ -20,8 +20,7 @@ final class TaskMain {
         .parent()
         .ifPresent(
             starter -> {
-              var unused =
-                  starter.onExit().thenRun(() -> Runtime.getRuntime().halt(STARTER_ENDED));
+              var unused = starter.onExit().thenRun(() -> Runtime.getRuntime().halt(STARTER_ENDED));
             });
     PrintStream out =
         new PrintStream(new FileOutputStream(FileDescriptor.out), true, StandardCharsets.UTF_8);
