@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationDesc;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationGroupDesc;
@@ -85,7 +86,7 @@ public final class RobotRemoval {
     return names;
   }
 
-  private static RobotRemoval of(PhoenixProcess phoenix, Duration time) {
+  private static RobotRemoval of(PhoenixProcess phoenix, Duration time) throws RemoteException {
     return new RobotRemoval(PhoenixCalls.to(phoenix), Patience.of(time), time);
   }
 

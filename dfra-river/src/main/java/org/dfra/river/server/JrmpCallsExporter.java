@@ -16,6 +16,7 @@ import java.rmi.server.RemoteObjectInvocationHandler;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import net.jini.export.Exporter;
+import org.dfra.river.access.AdministrationGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
