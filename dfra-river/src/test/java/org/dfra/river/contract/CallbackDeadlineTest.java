@@ -3,6 +3,7 @@ package org.dfra.river.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -14,6 +15,7 @@ import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.event.Delivery;
@@ -26,6 +28,7 @@ import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,6 +51,7 @@ class CallbackDeadlineTest {
   @TempDir Path folder;
 
   private final CountDownLatch release = new CountDownLatch(1);
+  private int stockPort;
   private final List<RemoteModuleListener> listeners = new ArrayList<>(); // JERI holds them weakly
   private final List<Exporter> exporters = new ArrayList<>();
 
@@ -59,11 +63,11 @@ class CallbackDeadlineTest {
     }
   }
 
-  /** As stock peers export: no deadline, no sockets of DFRA's. */
+  /** As stock peers export, in a process of their own as far as the port tells: no deadline. */
   private ModuleListener stock(RemoteModuleListener listener) throws Exception {
     Exporter exporter =
         new BasicJeriExporter(
-            TcpServerEndpoint.getInstance(HOST, 0, null, Endpoints.sockets(HOST)),
+            TcpServerEndpoint.getInstance(HOST, stockPort, null, Endpoints.sockets(HOST)),
             new BasicILFactory(),
             false,
             false);
@@ -89,6 +93,11 @@ class CallbackDeadlineTest {
         Files.writeString(
             folder.resolve("leases.config"), "org.dfra.river.lease { " + lease + " }");
     return Served.serve(UUID.randomUUID(), configuration.toString(), null);
+  }
+
+  @BeforeEach
+  void choosePort() throws IOException {
+    stockPort = FreePorts.next();
   }
 
   @Test

@@ -52,6 +52,7 @@ import org.dfra.flow.perceptual.Clearance;
 import org.dfra.flow.perceptual.HeadingPercept;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.Leg;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.module.LogLevel;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.remote.RemoteExamination;
@@ -248,6 +249,7 @@ class MethodTypesTest {
     samples.put(String.class, List.of("x"));
     samples.put(String[].class, List.of((Object) new String[] {"x"}));
     samples.put(UUID.class, List.of(UUID.randomUUID()));
+    samples.put(LeaseHandle.class, List.of(new LeaseHandle(UUID.randomUUID())));
     samples.put(Duration.class, List.of(Duration.ofSeconds(1)));
     samples.put(LogLevel.class, List.of(LogLevel.DEBUG));
     samples.put(RemoteExamination.Sort.class, List.of(RemoteExamination.Sort.TEST));
