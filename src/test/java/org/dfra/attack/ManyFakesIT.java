@@ -96,7 +96,7 @@ class ManyFakesIT {
             hosts.robot(), List.of(), List.of(robot.registrar().locator()))) {
       assertThat(
               directory.findFirst(
-                  ModuleQuery.of(DriveEffector.class).onRobot("eta"), PATIENCE))
+                  ModuleQuery.of(DriveEffector.class).robot("eta"), PATIENCE))
           .isPresent();
       watch.stop().requireWithin("finding the drive beside " + FAKES + " fakes", BOUND);
     }
