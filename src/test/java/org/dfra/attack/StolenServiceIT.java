@@ -5,7 +5,6 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Objects;
 import net.jini.core.discovery.LookupLocator;
@@ -127,7 +126,7 @@ class StolenServiceIT {
   private void awaitIncarnationAfter(ModuleAttributes before) {
     await("a new incarnation of the drive")
         .atMost(PATIENCE)
-        .ignoreExceptionsInstanceOf(RemoteException.class)
+        .ignoreExceptionsInstanceOf(IOException.class)
         .until(
             () ->
                 Objects.requireNonNull(seen().attributes().activated())
