@@ -28,8 +28,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Registrations in the registrar of robot eta, which runs on two computers: the registrar's, and the
- * operator's.
+ * Registrations in the registrar of robot eta, which runs on two computers: the registrar's, and
+ * the operator's.
  */
 @Timeout(60)
 class RegistrarDoorTest {

@@ -42,8 +42,12 @@ class RestoredRegistrarTest {
 
   private final AttackHosts hosts = AttackHosts.assumed();
 
+  /** The same for both, as reggie writes it down. */
+  private int port;
+
   @Test
   void refusesAStolenServiceIdRightAfterItsStart() throws Exception {
+    port = FreePorts.next();
     Path after = folder.resolve("after");
     try (Persistent first = new Persistent(folder.resolve("before"))) {
       Fakes.register(first.own(), DRIVE, "honest", Fakes.module("eta", "drive"));
@@ -85,7 +89,6 @@ class RestoredRegistrarTest {
 
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Object reggie;
-    private final int port = FreePorts.next();
 
     Persistent(Path state) throws Exception {
       Path configuration = Files.createTempFile(folder, "reggie", ".config");

@@ -26,9 +26,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A stranger registers a fake under the service ID of a robot's drive, in the robot's own registrar,
- * so that a stop goes to the fake. It is refused, also after the registrar and the drive were
- * killed; the drive's new incarnation registers under its ID.
+ * A stranger registers a fake under the service ID of a robot's drive, in the robot's own
+ * registrar, so that a stop goes to the fake. It is refused, also after the registrar and the drive
+ * were killed; the drive's new incarnation registers under its ID.
  */
 @Timeout(180)
 class StolenServiceIT {

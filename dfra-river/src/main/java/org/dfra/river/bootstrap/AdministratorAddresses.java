@@ -16,8 +16,8 @@ final class AdministratorAddresses {
   private AdministratorAddresses() {}
 
   /**
-   * Resolves from where a robot may be administered. A name stands for all addresses that it has now: the robot's
-   * processes do not look it up again.
+   * Resolves from where a robot may be administered. A name stands for all addresses that it has
+   * now: the robot's processes do not look it up again.
    *
    * @throws ConfigurationException if a name has no address
    */
@@ -63,8 +63,7 @@ final class AdministratorAddresses {
     return text.indexOf(':') >= 0 || text.indexOf('/') >= 0 || text.matches("[0-9.]+");
   }
 
-  private static InetAddress[] lookUp(
-      String name, Place place, String what, String where) {
+  private static InetAddress[] lookUp(String name, Place place, String what, String where) {
     try {
       return InetAddress.getAllByName(name);
     } catch (UnknownHostException e) {

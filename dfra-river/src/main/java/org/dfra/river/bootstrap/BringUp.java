@@ -277,7 +277,10 @@ final class BringUp {
                 .equals(RegistrarArguments.atStart(old.get().arguments()));
     if (isChanged) {
       groupEnd.restart(fullName(group.name()), END);
-      say(Kind.GROUP_RESTARTED, group.name(), "the registrar's host, folder or module hosts have changed");
+      say(
+          Kind.GROUP_RESTARTED,
+          group.name(),
+          "the registrar's host, folder or module hosts have changed");
     }
     try {
       registrar.start(service, description, patience);

@@ -33,7 +33,7 @@ final class RefusedRegistrations implements Filter {
   private final Set<String> reported =
       Collections.synchronizedSet(
           Collections.newSetFromMap(
-              new LinkedHashMap<>() {
+              new LinkedHashMap<String, Boolean>() {
                 private static final long serialVersionUID = 1L;
 
                 @Override

@@ -35,7 +35,7 @@ final class EntryClaims {
    * @param loader of reggie's classes
    * @throws ReflectiveOperationException if that is no reggie that is known here
    */
-  EntryClaims(ClassLoader loader) throws ReflectiveOperationException {
+  EntryClaims(@Nullable ClassLoader loader) throws ReflectiveOperationException {
     Class<?> entry = Class.forName("com.sun.jini.reggie.EntryRep", false, loader);
     entryClass = ReggieFields.of(entry, "eclass");
     fields = ReggieFields.of(entry, "fields");

@@ -11,8 +11,8 @@ import net.jini.core.lookup.ServiceID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What reggie holds now, read under its own lock. Reggie itself says whether a lease lives: there is
- * no second account of renewals and expirations that could differ from it.
+ * What reggie holds now, read under its own lock. Reggie itself says whether a lease lives: there
+ * is no second account of renewals and expirations that could differ from it.
  *
  * <p>Reggie 2.2.2 offers no way to do this, so its fields are used. Thread-safe.
  */

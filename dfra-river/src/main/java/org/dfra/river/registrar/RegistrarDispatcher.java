@@ -25,10 +25,10 @@ import org.jspecify.annotations.Nullable;
  * A dispatcher in front of reggie that has {@link RegistrationRules} applied to every registration
  * before reggie sees it.
  *
- * <p>Where reggie was started from its snapshot, the origin of a registration is not known any more.
- * One whose entries name the robot counts as the robot's own; another one as made by the host that
- * its entries give in digits, and where there is none, by nobody: only the robot's own computers
- * replace it while it lives.
+ * <p>Where reggie was started from its snapshot, the origin of a registration is not known any
+ * more. One whose entries name the robot counts as the robot's own; another one as made by the host
+ * that its entries give in digits, and where there is none, by nobody: only the robot's own
+ * computers replace it while it lives.
  *
  * <p>Thread-safe. Registrations are made one after another; reggie makes them so anyway.
  */

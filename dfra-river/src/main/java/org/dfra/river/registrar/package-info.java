@@ -9,8 +9,8 @@
  *                                        RegistrationRules: service ID --&gt; computer
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the registrar's exporter is
- * configured with.
+ * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the registrar's exporter
+ * is configured with.
  */
 @NullMarked
 package org.dfra.river.registrar;
