@@ -141,7 +141,7 @@ public final class WheeledRobot implements AutoCloseable {
   }
 
   /** That of its registrar. */
-  String locator() {
+  public String locator() {
     return locator;
   }
 

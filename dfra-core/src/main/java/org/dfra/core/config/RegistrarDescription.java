@@ -1,6 +1,7 @@
 package org.dfra.core.config;
 
 import java.io.Serializable;
+import java.util.List;
 
 /**
  * The robot's own lookup service (reggie), as the robot's XML describes it.
@@ -9,9 +10,13 @@ import java.io.Serializable;
  *     so that only multicast finds it
  * @param classes TCP port of the class server beside it, 1 to 65535; {@link #NO_CLASSES} for none
  * @param restart whether it is started again at once after a crash, rather than at the next call
+ * @param from addresses, ranges as {@code 10.0.0.0/24}, and host names of the robot's further
+ *     computers, whose registrations of the robot's modules it takes; they are not resolved here;
+ *     empty for its own computer only
  * @param place where it was written
  */
-public record RegistrarDescription(int port, int classes, boolean restart, Place place)
+public record RegistrarDescription(
+    int port, int classes, boolean restart, List<String> from, Place place)
     implements Serializable {
 
   /** The port that unicast discovery uses where none is named. */
@@ -29,6 +34,15 @@ public record RegistrarDescription(int port, int classes, boolean restart, Place
   public RegistrarDescription {
     Rules.require(place, Rules.registrarPort(Integer.toString(port)));
     Rules.require(place, classes == NO_CLASSES ? null : Rules.classPort(Integer.toString(classes)));
+    from = List.copyOf(from);
+    for (String each : from) {
+      Rules.require(place, Rules.moduleHost(each));
+    }
+  }
+
+  /** That of a robot whose modules all run on the registrar's computer. */
+  public RegistrarDescription(int port, int classes, boolean restart, Place place) {
+    this(port, classes, restart, List.of(), place);
   }
 
   /** Whether the robot runs a class server. */

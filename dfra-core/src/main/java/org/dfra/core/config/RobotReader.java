@@ -75,15 +75,26 @@ final class RobotReader {
   }
 
   private AdministrationDescription administration(Element element) {
+    return new AdministrationDescription(
+        from(element, Rules::administrator), values.place(element));
+  }
+
+  /** What is wrong with a text; null if nothing is. */
+  private interface Rule {
+    @Nullable String fault(String text);
+  }
+
+  /** The addresses that an element takes calls from; those that are none are left out. */
+  private List<String> from(Element element, Rule rule) {
     List<String> right = new ArrayList<>();
     for (String each : list(element, "from")) {
-      @Nullable String fault = Rules.administrator(each);
+      @Nullable String fault = rule.fault(each);
       values.check(element, fault);
       if (fault == null) {
         right.add(each);
       }
     }
-    return new AdministrationDescription(right, values.place(element));
+    return right;
   }
 
   private Optional<PersonaAttributes> persona(Element element, @Nullable String robot) {
@@ -150,11 +161,12 @@ final class RobotReader {
     values.check(element, fault);
     Integer classes = classes(element);
     boolean restart = values.restart(element);
+    List<String> from = from(element, Rules::moduleHost);
     return port == null || fault != null || classes == null
         ? Optional.empty()
         : Optional.of(
             new RegistrarDescription(
-                Integer.parseInt(port), classes, restart, values.place(element)));
+                Integer.parseInt(port), classes, restart, from, values.place(element)));
   }
 
   /** The class server's port; null, a fault, if it is none. */

@@ -66,6 +66,9 @@ final class RobotWriter {
             ? Integer.toString(registrar.classes())
             : RegistrarDescription.OFF);
     set(element, "restart", Boolean.toString(registrar.restart()));
+    if (!registrar.from().isEmpty()) {
+      set(element, "from", String.join(",", registrar.from()));
+    }
     return element;
   }
 

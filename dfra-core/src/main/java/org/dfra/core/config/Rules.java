@@ -93,6 +93,15 @@ public final class Rules {
 
   /** An address, a range of addresses, or a host name. */
   static @Nullable String administrator(String text) {
+    return addresses("the administrator's address", text);
+  }
+
+  /** An address, a range of addresses, or a host name. */
+  static @Nullable String moduleHost(String text) {
+    return addresses("the registrar's module host", text);
+  }
+
+  private static @Nullable String addresses(String what, String text) {
     int slash = text.indexOf('/');
     String address = slash < 0 ? text : text.substring(0, slash);
     int bits = bits(address);
@@ -102,7 +111,8 @@ public final class Rules {
             : bits > 0 && isPrefix(text.substring(slash + 1), bits);
     return isRight
         ? null
-        : "the administrator's address \""
+        : what
+            + " \""
             + text
             + "\" is not understood; write an address, a range such as 10.0.0.0/24, or a host name";
   }

@@ -91,6 +91,19 @@ class RobotValueFaultsTest {
   }
 
   @Test
+  void moduleHostsThatAreNeitherAddressNorRangeNorName() {
+    assertThat(
+            folder()
+                .xml(
+                    "<group name=\"a\">"
+                        + "<registrar from=\"10.0.0.256, 10.0.0.0/24, base\"/></group>")
+                .complaints())
+        .containsExactly(
+            "robot.xml:2: the registrar's module host \"10.0.0.256\" is not understood; write an"
+                + " address, a range such as 10.0.0.0/24, or a host name");
+  }
+
+  @Test
   void namesNotInLowerSnakeCase() {
     assertThat(
             folder()

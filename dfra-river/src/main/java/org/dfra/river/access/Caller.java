@@ -23,7 +23,7 @@ public record Caller(@Nullable InetAddress address) {
    *
    * @param context the context's elements
    */
-  static Caller in(Collection<?> context) {
+  public static Caller in(Collection<?> context) {
     return new Caller(
         context.stream()
             .filter(ClientHost.class::isInstance)

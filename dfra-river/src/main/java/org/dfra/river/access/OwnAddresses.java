@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * latter is where the kernel lets a program call from that has bound its socket to no address,
  * whichever loopback address it calls.
  */
-final class OwnAddresses {
+public final class OwnAddresses {
 
   private static final int IPV4_BYTES = 4;
 
@@ -35,7 +35,7 @@ final class OwnAddresses {
    * @param host the address, or a name of it; null for all of the computer's addresses
    * @throws UnknownHostException if the name is not known
    */
-  static OwnAddresses exportedAt(@Nullable String host) throws UnknownHostException {
+  public static OwnAddresses exportedAt(@Nullable String host) throws UnknownHostException {
     if (host == null) {
       return new OwnAddresses(null);
     }
@@ -44,7 +44,7 @@ final class OwnAddresses {
   }
 
   /** Whether an address is one of them. Interfaces are read anew each time: addresses change. */
-  boolean contain(InetAddress address) {
+  public boolean contain(InetAddress address) {
     if (!address.isLoopbackAddress()) {
       return isOfAnInterface(address);
     }

@@ -6,26 +6,51 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.Place;
+import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.access.AddressRange;
 
-/** The addresses from which a robot may be administered, its host names resolved. */
+/** The addresses in a robot's XML, its host names resolved. */
 final class AdministratorAddresses {
 
   private AdministratorAddresses() {}
 
   /**
-   * Resolves what a robot's XML says. A name stands for all addresses that it has now: the robot's
-   * processes do not look it up again.
+   * Resolves from where a robot may be administered. A name stands for all addresses that it has
+   * now: the robot's processes do not look it up again.
    *
    * @throws ConfigurationException if a name has no address
    */
   static List<AddressRange> resolve(AdministrationDescription administration) {
+    return resolve(
+        administration.from(),
+        administration.place(),
+        "the administrator's host",
+        "<administration from=\"…\">");
+  }
+
+  /**
+   * Resolves on which further computers modules of the robot run. A name stands for all addresses
+   * that it has now.
+   *
+   * @throws ConfigurationException if a name has no address
+   */
+  static List<AddressRange> resolve(RegistrarDescription registrar) {
+    return resolve(
+        registrar.from(),
+        registrar.place(),
+        "the registrar's module host",
+        "<registrar from=\"…\">");
+  }
+
+  private static List<AddressRange> resolve(
+      List<String> from, Place place, String what, String where) {
     List<AddressRange> ranges = new ArrayList<>();
-    for (String each : administration.from()) {
+    for (String each : from) {
       if (isNumeric(each)) {
         ranges.add(AddressRange.of(each));
       } else {
-        for (InetAddress address : lookUp(each, administration)) {
+        for (InetAddress address : lookUp(each, place, what, where)) {
           ranges.add(AddressRange.only(address));
         }
       }
@@ -38,16 +63,18 @@ final class AdministratorAddresses {
     return text.indexOf(':') >= 0 || text.indexOf('/') >= 0 || text.matches("[0-9.]+");
   }
 
-  private static InetAddress[] lookUp(String name, AdministrationDescription administration) {
+  private static InetAddress[] lookUp(String name, Place place, String what, String where) {
     try {
       return InetAddress.getAllByName(name);
     } catch (UnknownHostException e) {
       throw new ConfigurationException(
-          administration.place()
-              + ": the administrator's host "
+          place
+              + ": "
+              + what
+              + " "
               + name
-              + " is not known; write its address, or mend the name in"
-              + " <administration from=\"…\">",
+              + " is not known; write its address, or mend the name in "
+              + where,
           e);
     }
   }

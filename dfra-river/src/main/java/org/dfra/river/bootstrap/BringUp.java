@@ -279,7 +279,10 @@ final class BringUp {
                 .equals(RegistrarArguments.atStart(old.get().arguments()));
     if (isChanged) {
       groupEnd.restart(fullName(group.name()), END);
-      say(Kind.GROUP_RESTARTED, group.name(), "the registrar's host or folder has changed");
+      say(
+          Kind.GROUP_RESTARTED,
+          group.name(),
+          "the registrar's host, folder or module hosts have changed");
     }
     try {
       registrar.start(service, description, patience);

@@ -25,6 +25,8 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.lookup.SuppliedConfiguration;
+import org.dfra.river.registrar.RegistrarILFactory;
+import org.dfra.river.registrar.RegistrationPolicy;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -50,11 +52,14 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   private record Running(Object reggie, ServiceRegistrar registrar, int port, CountDownLatch end) {}
 
   private final String host;
+  private final RegistrationPolicy policy;
   private final Map<String, Supplier<?>> entries;
   private int port; // guarded by this; 0 until it was started where none was named
   private @Nullable Running running; // guarded by this
 
   /**
+   * One that belongs to no robot.
+   *
    * @param host address of this machine, which its proxy carries
    * @param port TCP port of unicast discovery; 0 for a free one
    * @param groups discovery groups that it is a member of
@@ -68,8 +73,28 @@ public final class EmbeddedRegistrar implements AutoCloseable {
       List<String> groups,
       Duration lease,
       Map<String, Supplier<?>> further) {
+    this(host, port, groups, lease, RegistrationPolicy.NO_ROBOT, further);
+  }
+
+  /**
+   * @param host address of this machine, which its proxy carries
+   * @param port TCP port of unicast discovery; 0 for a free one
+   * @param groups discovery groups that it is a member of
+   * @param lease the longest lease that it grants: whoever stops to renew is forgotten after it
+   * @param policy whose it is
+   * @param further entries of its Jini configuration, by their names in reggie's component, which
+   *     go before the usual ones
+   */
+  public EmbeddedRegistrar(
+      String host,
+      int port,
+      List<String> groups,
+      Duration lease,
+      RegistrationPolicy policy,
+      Map<String, Supplier<?>> further) {
     this.host = host;
     this.port = port;
+    this.policy = policy;
     NetworkInterface[] none = {};
     this.entries =
         new HashMap<>(
@@ -119,7 +144,11 @@ public final class EmbeddedRegistrar implements AutoCloseable {
 
   private RegistrarExporter exporter(RegistrarListeners listeners) {
     return new RegistrarExporter(
-        new BasicJeriExporter(Endpoints.tcp(host, 0), new DeadlineILFactory(), false, true),
+        new BasicJeriExporter(
+            Endpoints.tcp(host, 0),
+            new RegistrarILFactory(DeadlineILFactory.DEFAULT_DEADLINE, policy),
+            false,
+            true),
         listeners);
   }
 

@@ -42,8 +42,8 @@ public final class EmbeddedRobot implements AutoCloseable {
   /**
    * A whole robot.
    *
-   * @throws ConfigurationException if the robot has no registrar of its own, or its host is none of
-   *     this machine
+   * @throws ConfigurationException if the robot has no registrar of its own, its host is none of
+   *     this machine, or a further computer of it is not known
    */
   public EmbeddedRobot(RobotDescription robot) {
     this(robot, null);
@@ -55,8 +55,8 @@ public final class EmbeddedRobot implements AutoCloseable {
    * @param others the folder of phoenix's state. The identities of these modules are kept there,
    *     without which the others would take them for those of another robot of that name. Null
    *     where there are no others.
-   * @throws ConfigurationException if the robot has no registrar of its own, or its host is none of
-   *     this machine
+   * @throws ConfigurationException if the robot has no registrar of its own, its host is none of
+   *     this machine, or a further computer of it is not known
    */
   public EmbeddedRobot(RobotDescription robot, @Nullable Path others) {
     this.robot = robot;
@@ -83,6 +83,7 @@ public final class EmbeddedRobot implements AutoCloseable {
                 described.port(),
                 robot.lookupGroups(),
                 LEASE,
+                RobotRegistrar.policy(robot, described),
                 EmbeddedRegistrar.showing(persona)));
   }
 

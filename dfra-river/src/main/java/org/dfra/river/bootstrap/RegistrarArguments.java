@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.river.registrar.RegistrationPolicy;
 
 /** What differs from one robot's registrar to another's, as arguments of its Jini configuration. */
 final class RegistrarArguments {
@@ -24,8 +25,15 @@ final class RegistrarArguments {
    * @param folder where it keeps what it knows
    * @param groups its discovery groups
    * @param multicast whether it announces itself and listens for others
+   * @param policy whose it is
    */
-  static String[] of(String host, int port, Path folder, List<String> groups, boolean multicast) {
+  static String[] of(
+      String host,
+      int port,
+      Path folder,
+      List<String> groups,
+      boolean multicast,
+      RegistrationPolicy policy) {
     List<String> arguments = new ArrayList<>();
     arguments.add(RegistrarArguments.class.getResource(CONFIGURATION).toString());
     arguments.add(HOST + PhoenixProcess.quote(host));
@@ -33,6 +41,8 @@ final class RegistrarArguments {
     arguments.add(
         "com.sun.jini.reggie.persistenceDirectory=" + PhoenixProcess.quote(folder.toString()));
     arguments.add(GROUPS + array(groups));
+    arguments.add("com.sun.jini.reggie.robot=" + PhoenixProcess.quote(policy.robot()));
+    arguments.add("com.sun.jini.reggie.moduleHosts=" + PhoenixProcess.quote(policy.fromText()));
     if (!multicast) {
       String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
       arguments.add("com.sun.jini.reggie." + none);

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import org.dfra.river.registrar.ReggieFields;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,8 +25,6 @@ import org.jspecify.annotations.Nullable;
  * <p>Reggie 2.2.2 offers no way to do this, so its fields are used, under its own lock.
  */
 final class RegistrarLeases {
-
-  private static final String CLASS = "com.sun.jini.reggie.RegistrarImpl";
 
   /** Reggie's own registration, which never ends. */
   private static final long NEVER = Long.MAX_VALUE;
@@ -43,36 +42,27 @@ final class RegistrarLeases {
    * @throws ReflectiveOperationException if it is no reggie that is known here
    */
   RegistrarLeases(Object reggie) throws ReflectiveOperationException {
-    Class<?> type = reggie.getClass();
-    while (type != null && !type.getName().equals(CLASS)) {
-      type = type.getSuperclass();
-    }
-    if (type == null) {
-      throw new NoSuchFieldException(reggie.getClass().getName() + " is no " + CLASS);
-    }
-    lock = (ReadersWriter) field(type, "concurrentObj").get(reggie);
+    Class<?> type = ReggieFields.owner(reggie);
+    lock = (ReadersWriter) ReggieFields.of(type, "concurrentObj").get(reggie);
     ClassLoader loader = type.getClassLoader();
     services =
         new Kind(
             reggie,
-            (TreeMap<?, ?>) field(type, "serviceByTime").get(reggie),
-            field(type, "maxServiceLease"),
-            field(type, "serviceNotifier").get(reggie),
-            field(Class.forName(CLASS + "$SvcReg", false, loader), "leaseExpiration"));
+            (TreeMap<?, ?>) ReggieFields.of(type, "serviceByTime").get(reggie),
+            ReggieFields.of(type, "maxServiceLease"),
+            ReggieFields.of(type, "serviceNotifier").get(reggie),
+            ReggieFields.of(
+                Class.forName(type.getName() + "$SvcReg", false, loader), "leaseExpiration"));
     events =
         new Kind(
             reggie,
-            (TreeMap<?, ?>) field(type, "eventByTime").get(reggie),
-            field(type, "maxEventLease"),
-            field(type, "eventNotifier").get(reggie),
-            field(Class.forName(CLASS + "$EventReg", false, loader), "leaseExpiration"));
-    listener = field(Class.forName(CLASS + "$EventReg", false, loader), "listener");
-  }
-
-  private static Field field(Class<?> type, String name) throws NoSuchFieldException {
-    Field field = type.getDeclaredField(name);
-    field.setAccessible(true);
-    return field;
+            (TreeMap<?, ?>) ReggieFields.of(type, "eventByTime").get(reggie),
+            ReggieFields.of(type, "maxEventLease"),
+            ReggieFields.of(type, "eventNotifier").get(reggie),
+            ReggieFields.of(
+                Class.forName(type.getName() + "$EventReg", false, loader), "leaseExpiration"));
+    listener =
+        ReggieFields.of(Class.forName(type.getName() + "$EventReg", false, loader), "listener");
   }
 
   /**

@@ -93,6 +93,7 @@ public final class RobotBootstrap {
     }
     BootstrapLoader loader = loader(patience);
     String unused = loader.administrators(); // what is wrong with them shows before all else
+    robot.registrar().ifPresent(AdministratorAddresses::resolve);
     KnownRobots known = new KnownRobots(phoenix.state());
     boolean wasKnown = known.isKnown(robot.name());
     known.remember(robot);

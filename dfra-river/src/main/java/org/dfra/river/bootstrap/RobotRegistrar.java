@@ -15,6 +15,7 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.RobotBootstrap.Service;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.PersonaEntry;
+import org.dfra.river.registrar.RegistrationPolicy;
 
 /**
  * A robot's own lookup service under phoenix: stock reggie, which keeps its state, listens where
@@ -43,12 +44,29 @@ final class RobotRegistrar {
    * What it is activated with.
    *
    * @throws IOException if the folder of what it keeps cannot be made
+   * @throws org.dfra.core.config.ConfigurationException if a further computer of the robot is not
+   *     known
    */
   String[] arguments(RegistrarDescription description) throws IOException {
     Path folder = state.resolve("registrars");
     Files.createDirectories(folder);
     return RegistrarArguments.of(
-        host, description.port(), folder.resolve(robot.name()), robot.lookupGroups(), multicast);
+        host,
+        description.port(),
+        folder.resolve(robot.name()),
+        robot.lookupGroups(),
+        multicast,
+        policy(robot, description));
+  }
+
+  /**
+   * Whose it is.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if a further computer of the robot is not
+   *     known
+   */
+  static RegistrationPolicy policy(RobotDescription robot, RegistrarDescription description) {
+    return new RegistrationPolicy(robot.name(), AdministratorAddresses.resolve(description));
   }
 
   /**

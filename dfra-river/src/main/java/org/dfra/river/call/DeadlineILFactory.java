@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  *   exporter = new BasicJeriExporter(endpoint, new DeadlineILFactory(2000L), false, true);
  * </pre>
  */
-public final class DeadlineILFactory extends BasicILFactory {
+public class DeadlineILFactory extends BasicILFactory {
 
   /** How long an answer is awaited where nothing else is configured. */
   public static final Duration DEFAULT_DEADLINE = Duration.ofSeconds(2);

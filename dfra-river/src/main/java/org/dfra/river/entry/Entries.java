@@ -191,6 +191,11 @@ public final class Entries {
     return value;
   }
 
+  /** Whether records of a type have an entry class of this package. */
+  static boolean hasEntry(Class<?> record) {
+    return KINDS.stream().anyMatch(kind -> record == mirrored(kind));
+  }
+
   private static @Nullable Class<? extends Attributes> mirrored(Class<?> type) {
     @Nullable Mirrors mirrors = type.getAnnotation(Mirrors.class);
     return mirrors == null ? null : mirrors.value();

@@ -96,7 +96,10 @@ final class RecordText {
     try {
       Class<?> type =
           Class.forName(name, false, context != null ? context : RecordText.class.getClassLoader());
-      return type.isRecord() && Attributes.class.isAssignableFrom(type)
+      // A record that has an entry class comes in that: a registrar checks those for who they name.
+      return type.isRecord()
+              && Attributes.class.isAssignableFrom(type)
+              && !Entries.hasEntry(type)
           ? type.asSubclass(Attributes.class)
           : null;
     } catch (ClassNotFoundException | LinkageError e) {

@@ -55,6 +55,7 @@ public final class Join implements AutoCloseable {
       List<String> locators,
       Configuration configuration)
       throws IOException, ConfigurationException {
+    RefusedRegistrations.install();
     RegistrationThreads threads = new RegistrationThreads();
     Configuration timed =
         new SuppliedConfiguration(

@@ -8,6 +8,7 @@ import java.util.List;
 import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Place;
+import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.access.AddressRange;
 import org.junit.jupiter.api.Test;
 
@@ -36,5 +37,17 @@ class AdministratorAddressesTest {
         .hasMessage(
             "robot.xml:4: the administrator's host operator.invalid is not known; write its"
                 + " address, or mend the name in <administration from=\"…\">");
+  }
+
+  @Test
+  void aModuleHostThatIsNotKnownIsReportedWithItsPlace() {
+    RegistrarDescription registrar =
+        new RegistrarDescription(
+            4160, 0, true, List.of("10.0.0.8", "second.invalid"), new Place("robot.xml", 6));
+    assertThatThrownBy(() -> AdministratorAddresses.resolve(registrar))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            "robot.xml:6: the registrar's module host second.invalid is not known; write its"
+                + " address, or mend the name in <registrar from=\"…\">");
   }
 }

@@ -164,6 +164,15 @@ class EntriesTest {
     assertThat(Entries.records(null)).isEmpty();
   }
 
+  /** A registrar would not see which robot it names. */
+  @Test
+  void aRecordThatHasAnEntryIsNotReadFromAnother() {
+    RecordEntry disguised = new RecordEntry();
+    disguised.type = PersonaAttributes.class.getName();
+    disguised.values = List.of("robot=atrv1", "role=scout");
+    assertThat(Entries.records(new Entry[] {disguised})).isEmpty();
+  }
+
   @Test
   void aRecordOfALaterReleaseIsReadWithoutWhatIsNew() {
     RecordEntry later = (RecordEntry) Entries.of(List.of(LASER))[0];

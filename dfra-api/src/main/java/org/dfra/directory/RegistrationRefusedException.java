@@ -1,0 +1,19 @@
+package org.dfra.directory;
+
+/**
+ * A robot's registrar refused a registration: its service ID belongs to another computer, it claims
+ * to be part of a robot that runs elsewhere, or there are too many from that address. Nothing was
+ * registered. To try again is of use only after the lease in question has ended, or after the
+ * registrar was configured.
+ */
+public final class RegistrationRefusedException extends SecurityException {
+
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param message one sentence: what was refused to which address, why, and what to do
+   */
+  public RegistrationRefusedException(String message) {
+    super(message);
+  }
+}

@@ -1,0 +1,163 @@
+package org.dfra.river.registrar;
+
+import com.sun.jini.thread.ReadersWriter;
+import java.lang.reflect.Field;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import net.jini.core.lookup.ServiceID;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What reggie holds now, read under its own lock. Reggie itself says whether a lease lives: there
+ * is no second account of renewals and expirations that could differ from it.
+ *
+ * <p>Reggie 2.2.2 offers no way to do this, so its fields are used. Thread-safe.
+ */
+final class ReggieState implements RegistrationRules.Contents {
+
+  /**
+   * A service that reggie holds.
+   *
+   * @param item reggie's form of a service item
+   */
+  record Listed(ServiceID id, Object item) {}
+
+  private final ReadersWriter lock;
+  private final Map<?, ?> services; // by ServiceID
+  private final Map<?, ?> listeners; // by Long
+  private final Field serviceEnd; // milliseconds of the computer's clock
+  private final Field listenerEnd;
+  private final Field item; // of a registered service; the following are the item's
+  private final Field id;
+  private final Field proxy;
+  private final Field entries;
+
+  /**
+   * @param reggie the lookup service
+   * @throws ReflectiveOperationException if it is no reggie that is known here
+   */
+  ReggieState(Object reggie) throws ReflectiveOperationException {
+    Class<?> type = ReggieFields.owner(reggie);
+    ClassLoader loader = type.getClassLoader();
+    Class<?> service = Class.forName(type.getName() + "$SvcReg", false, loader);
+    Class<?> listener = Class.forName(type.getName() + "$EventReg", false, loader);
+    Class<?> items = Class.forName("com.sun.jini.reggie.Item", false, loader);
+    lock = (ReadersWriter) ReggieFields.of(type, "concurrentObj").get(reggie);
+    services = (Map<?, ?>) ReggieFields.of(type, "serviceByID").get(reggie);
+    listeners = (Map<?, ?>) ReggieFields.of(type, "eventByID").get(reggie);
+    serviceEnd = ReggieFields.of(service, "leaseExpiration");
+    listenerEnd = ReggieFields.of(listener, "leaseExpiration");
+    item = ReggieFields.of(service, "item");
+    id = ReggieFields.of(items, "serviceID");
+    proxy = ReggieFields.of(items, "service");
+    entries = ReggieFields.of(items, "attributeSets");
+  }
+
+  @Override
+  public Set<ServiceID> liveServices(Set<ServiceID> among) {
+    return live(services, serviceEnd, among);
+  }
+
+  @Override
+  public Set<Long> liveListeners(Set<Long> among) {
+    return live(listeners, listenerEnd, among);
+  }
+
+  private <K> Set<K> live(Map<?, ?> registrations, Field end, Set<K> among) {
+    Set<K> live = new LinkedHashSet<>();
+    lock.readLock();
+    try {
+      long now = System.currentTimeMillis();
+      for (K each : among) {
+        Object registration = registrations.get(each);
+        if (registration != null && end.getLong(registration) > now) {
+          live.add(each);
+        }
+      }
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    } finally {
+      lock.readUnlock();
+    }
+    return live;
+  }
+
+  /** All services that it holds but for itself. */
+  List<Listed> services() {
+    List<Listed> all = new ArrayList<>();
+    lock.readLock();
+    try {
+      for (Object each : services.values()) {
+        Object held = item.get(each);
+        if (serviceEnd.getLong(each) != Long.MAX_VALUE
+            && id.get(held) instanceof ServiceID service) {
+          all.add(new Listed(service, held));
+        }
+      }
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    } finally {
+      lock.readUnlock();
+    }
+    return all;
+  }
+
+  /** The identifiers of all listeners that it holds. */
+  List<Long> listeners() {
+    List<Long> all = new ArrayList<>();
+    lock.readLock();
+    try {
+      for (Object each : listeners.keySet()) {
+        all.add((Long) each);
+      }
+    } finally {
+      lock.readUnlock();
+    }
+    return all;
+  }
+
+  /**
+   * Under which identifier reggie will register an item: its own, or that of the same proxy, which
+   * it replaces.
+   *
+   * @param asked reggie's form of a service item
+   * @return null for one that is free
+   */
+  @Nullable ServiceID idOf(Object asked) {
+    try {
+      if (id.get(asked) instanceof ServiceID own) {
+        return own;
+      }
+      Object same = proxy.get(asked);
+      if (same == null) {
+        return null; // which reggie refuses
+      }
+      lock.readLock();
+      try {
+        for (Object each : services.values()) {
+          Object held = item.get(each);
+          if (same.equals(proxy.get(held))) {
+            return (ServiceID) id.get(held);
+          }
+        }
+        return null;
+      } finally {
+        lock.readUnlock();
+      }
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    }
+  }
+
+  /** The entries of an item in reggie's form; null for none. */
+  Object @Nullable [] entries(Object of) {
+    try {
+      return (Object @Nullable []) entries.get(of);
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    }
+  }
+}

@@ -1,0 +1,200 @@
+package org.dfra.river.registrar;
+
+import java.lang.System.Logger.Level;
+import java.lang.reflect.Method;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.rmi.Remote;
+import java.rmi.server.ExportException;
+import java.util.Collection;
+import java.util.concurrent.TimeUnit;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.event.EventRegistration;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistration;
+import net.jini.jeri.ServerCapabilities;
+import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.directory.RegistrationRefusedException;
+import org.dfra.river.access.AddressRange;
+import org.dfra.river.access.Caller;
+import org.dfra.river.access.GuardedDispatcher;
+import org.dfra.river.access.OwnAddresses;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A dispatcher in front of reggie that has {@link RegistrationRules} applied to every registration
+ * before reggie sees it.
+ *
+ * <p>Where reggie was started from its snapshot, the origin of a registration is not known any
+ * more. One whose entries name the robot counts as the robot's own; another one as made by the host
+ * that its entries give in digits, and where there is none, by nobody: only the robot's own
+ * computers replace it while it lives.
+ *
+ * <p>Thread-safe. Registrations are made one after another; reggie makes them so anyway.
+ */
+public final class RegistrarDispatcher extends GuardedDispatcher {
+
+  private static final System.Logger LOG = System.getLogger(RegistrarDispatcher.class.getName());
+
+  /** A stranger who calls again and again does not fill the log. */
+  private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
+
+  private static final String REGISTRAR = "com.sun.jini.reggie.Registrar";
+
+  private final RegistrationPolicy policy;
+  private final OwnAddresses own;
+  private final ReggieState state;
+  private final EntryClaims claims;
+  private final RegistrationRules rules; // guarded by this
+  private boolean restored; // guarded by this
+  private long logged = System.nanoTime() - LOG_AGAIN_NANOS; // guarded by this
+
+  /**
+   * As {@link GuardedDispatcher} has it.
+   *
+   * @param reggie the lookup service
+   * @param policy whose it is
+   * @throws ExportException if it is no reggie that is known here, or as {@link GuardedDispatcher}
+   *     says
+   */
+  public RegistrarDispatcher(
+      Collection<Method> methods,
+      Remote reggie,
+      ServerCapabilities capabilities,
+      @Nullable MethodConstraints server,
+      @Nullable ClassLoader loader,
+      RegistrationPolicy policy)
+      throws ExportException {
+    super(methods, reggie.getClass(), capabilities, server, loader);
+    this.policy = policy;
+    @Nullable String host = capabilities instanceof TcpServerEndpoint tcp ? tcp.getHost() : null;
+    try {
+      this.own = OwnAddresses.exportedAt(host);
+      this.state = new ReggieState(reggie);
+      this.claims = new EntryClaims(ReggieFields.owner(reggie).getClassLoader());
+    } catch (UnknownHostException e) {
+      throw new ExportException(
+          "host " + host + " is not known; export at an address of this machine", e);
+    } catch (ReflectiveOperationException e) {
+      throw new ExportException(
+          "registrations of this lookup service cannot be guarded: "
+              + e.getMessage()
+              + "; use reggie 2.2.2",
+          e);
+    }
+    this.rules = new RegistrationRules(policy.robot(), state);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws RegistrationRefusedException if the rules refuse it
+   */
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  protected Object invoke(Remote impl, Method method, Object[] args, Collection context)
+      throws Throwable {
+    if (!method.getDeclaringClass().getName().equals(REGISTRAR)) {
+      return super.invoke(impl, method, args, context);
+    }
+    return switch (method.getName()) {
+      case "register" -> register(impl, method, args, context);
+      case "notify" -> listen(impl, method, args, context);
+      case "addAttributes", "modifyAttributes", "setAttributes" -> {
+        checkEntries(source(context), (Object[]) args[args.length - 1]);
+        yield super.invoke(impl, method, args, context);
+      }
+      default -> super.invoke(impl, method, args, context);
+    };
+  }
+
+  @SuppressWarnings("rawtypes") // as River declares it
+  private synchronized Object register(
+      Remote impl, Method method, Object[] args, Collection context) throws Throwable {
+    restore();
+    Source from = source(context);
+    Object item = args[0];
+    if (item == null) { // which reggie refuses
+      return super.invoke(impl, method, args, context);
+    }
+    boolean namesRobot = namesRobot(state.entries(item));
+    @Nullable ServiceID id = state.idOf(item);
+    refusing(() -> rules.checkService(from, id, namesRobot));
+    Object registration = super.invoke(impl, method, args, context);
+    rules.registered(from, ((ServiceRegistration) registration).getServiceID(), namesRobot);
+    return registration;
+  }
+
+  @SuppressWarnings("rawtypes") // as River declares it
+  private synchronized Object listen(
+      Remote impl, Method method, Object[] args, Collection context) throws Throwable {
+    restore();
+    Source from = source(context);
+    refusing(() -> rules.checkListener(from));
+    Object registration = super.invoke(impl, method, args, context);
+    rules.listening(from, ((EventRegistration) registration).getID());
+    return registration;
+  }
+
+  /** A holder of its lease changes a registration: it could claim only now to be the robot's. */
+  private synchronized void checkEntries(Source from, Object @Nullable [] entries) {
+    boolean namesRobot = namesRobot(entries);
+    refusing(() -> rules.checkEntries(from, namesRobot));
+  }
+
+  private void refusing(Runnable check) {
+    try {
+      check.run();
+    } catch (RegistrationRefusedException e) {
+      long now = System.nanoTime();
+      if (now - logged >= LOG_AGAIN_NANOS) {
+        logged = now;
+        LOG.log(Level.WARNING, e.getMessage());
+      }
+      throw e;
+    }
+  }
+
+  /** What reggie knew before the first call. */
+  private void restore() {
+    if (restored) {
+      return;
+    }
+    restored = true;
+    for (ReggieState.Listed each : state.services()) {
+      Object @Nullable [] entries = state.entries(each.item());
+      boolean namesRobot = namesRobot(entries);
+      Source presumed =
+          namesRobot ? new Source(null, true) : source(numeric(claims.host(entries)));
+      rules.registered(presumed, each.id(), namesRobot);
+    }
+    for (long each : state.listeners()) {
+      rules.listening(new Source(null, false), each);
+    }
+  }
+
+  private boolean namesRobot(Object @Nullable [] entries) {
+    return !policy.robot().isEmpty() && claims.claim(entries, policy.robot());
+  }
+
+  private Source source(Collection<?> context) {
+    return source(Caller.in(context).address());
+  }
+
+  private Source source(@Nullable InetAddress address) {
+    return new Source(
+        address, address != null && (own.contain(address) || policy.admits(address)));
+  }
+
+  /** The address that a host is; null where it is a name, which is not looked up. */
+  private static @Nullable InetAddress numeric(@Nullable String host) {
+    if (host == null) {
+      return null;
+    }
+    try {
+      return AddressRange.of(host).network();
+    } catch (IllegalArgumentException e) {
+      return null;
+    }
+  }
+}
