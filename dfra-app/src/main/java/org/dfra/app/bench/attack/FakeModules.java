@@ -6,8 +6,8 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 
 /**
- * Registers fakes with the robot's registrar: under the identity of the robot's drive, and thousands
- * under fresh ones, with what the registrar says of the drive.
+ * Registers fakes with the robot's registrar: under the identity of the robot's drive, and under
+ * thousands of fresh ones, with what the registrar says of the drive.
  */
 public final class FakeModules extends AttackTask {
 

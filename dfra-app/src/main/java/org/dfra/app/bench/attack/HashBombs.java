@@ -1,7 +1,6 @@
 package org.dfra.app.bench.attack;
 
 import java.io.IOException;
-import java.io.NotSerializableException;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
 import java.rmi.RemoteException;
@@ -101,10 +100,10 @@ public final class HashBombs extends AttackTask {
     try (RawCall call = RawCall.to(drive)) {
       RawCall.Answer answer = call.send(bomb).finish(PATIENCE);
       if (answer.status() == RawCall.Status.THREW) {
-        throw new RemoteException("refused", (Exception) answer.object());
+        throw new RemoteException("refused: " + answer.object());
       }
       if (answer.status() != RawCall.Status.RETURNED) {
-        throw new NotSerializableException("not answered: " + answer.status());
+        throw new RemoteException("not answered: " + answer.status(), answer.failure());
       }
       return answer;
     }
