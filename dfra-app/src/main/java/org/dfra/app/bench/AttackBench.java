@@ -11,6 +11,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.dfra.app.bench.attack.AdministrativeCalls;
 import org.dfra.app.bench.attack.AttackTask;
@@ -88,6 +89,8 @@ final class AttackBench implements Bench {
   private static final Duration PATIENCE = Duration.ofMinutes(1);
   private static final Duration RECOVERY = Duration.ofSeconds(10);
   private static final Duration QUIET = Duration.ofSeconds(1); // so long: they have stopped
+
+  private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
 
   private static final double MOST_SLOWER = 0.35; // s: 0.3, and 10 % of the speed to be lost
   private static final double MOST_STOPPED = 0.5; // s
@@ -224,6 +227,7 @@ final class AttackBench implements Bench {
       if (quiet > QUIET.toNanos() / 1000) {
         return wheels;
       }
+      LockSupport.parkNanos(LOOK_AGAIN.toNanos()); // the wheels report nothing by themselves
     }
     throw new IOException("the wheels did not stop within " + PATIENCE.toSeconds() + " s");
   }

@@ -2,10 +2,8 @@ package org.dfra.app.bench.attack;
 
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -14,8 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
 import java.util.stream.Collectors;
 import org.dfra.app.demo.stage.FieldRobot;
 import org.dfra.core.config.RobotDescription;
@@ -31,8 +27,8 @@ import org.dfra.sim.world.Truth;
 import org.dfra.sim.world.file.WorldXml;
 
 /**
- * A robot of the team {@code raster} with its registrar, a class server and the simulated field
- * around it, in one process. It prints {@code registrar PORT classes PORT}, and to each line of its
+ * A robot of the team {@code raster} with its registrar, a class server without jars and the
+ * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to each line of its
  * input how its wheels move: {@code MOVED CRUISED}, microseconds of the epoch when they last moved
  * at all and when they last moved at {@link #CRUISE}.
  *
@@ -61,8 +57,6 @@ public final class HonestRobot implements Task {
   private static final Path CONFIG = Path.of(System.getProperty("dfra.root", "."), "config");
   private static final Path WORLD = CONFIG.resolve("worlds/raster.xml");
   private static final Path XML = CONFIG.resolve("teams/raster/" + NAME + ".xml");
-  private static final String JAR = "honest.jar";
-  private static final int JAR_BYTES = 100_000;
 
   private volatile Instant moved = Instant.EPOCH;
   private volatile Instant cruised = Instant.EPOCH;
@@ -75,12 +69,10 @@ public final class HonestRobot implements Task {
     SerialFilters.install();
     TrustedCode.install();
     InstantSource clock = RobotTime.clock();
-    Path folder = Files.createTempDirectory("dfra-bench-");
     try (Simulation simulation = Simulation.overTcp(WorldXml.read(WORLD), clock, Ports.ANY)) {
       simulation.start();
-      writeJar(folder.resolve(JAR));
       try (EmbeddedRobot robot = new EmbeddedRobot(described(simulation));
-          ClassServer classes = new ClassServer(HOST, 0, folder, List.of(JAR))) {
+          ClassServer classes = new ClassServer(HOST, 0, CONFIG, List.of())) {
         robot.start();
         classes.start();
         watch(simulation.world().truth(), clock);
@@ -91,9 +83,6 @@ public final class HonestRobot implements Task {
           out.println("wheels " + micros(moved) + " " + micros(cruised));
         }
       }
-    } finally {
-      Files.deleteIfExists(folder.resolve(JAR));
-      Files.deleteIfExists(folder);
     }
   }
 
@@ -105,15 +94,6 @@ public final class HonestRobot implements Task {
     RobotDescription robot = FieldRobot.describe(XML, NAME, links);
     int port = robot.registrar().orElseThrow().port();
     return robot.among(List.of("jini://" + HOST + ":" + port));
-  }
-
-  private static void writeJar(Path file) throws Exception {
-    try (OutputStream bytes = Files.newOutputStream(file);
-        JarOutputStream jar = new JarOutputStream(bytes)) {
-      jar.putNextEntry(new JarEntry("content"));
-      jar.write(new byte[JAR_BYTES]);
-      jar.closeEntry();
-    }
   }
 
   private void watch(Truth truth, InstantSource clock) {

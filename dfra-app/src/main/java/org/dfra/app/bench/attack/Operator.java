@@ -29,6 +29,7 @@ import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Module;
+import org.dfra.module.NotReadyException;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -148,7 +149,7 @@ public final class Operator implements Task {
       long began = System.nanoTime();
       try {
         var unused = drive.drive();
-      } catch (RemoteException e) { // it counts with the time it took
+      } catch (RemoteException | NotReadyException e) { // it counts, with the time it took
         failed++;
       }
       latencies.add((System.nanoTime() - began) / 1e3);
