@@ -28,11 +28,11 @@ import org.dfra.sim.world.file.WorldXml;
 
 /**
  * A robot of the team {@code raster} with its registrar, a class server without jars and the
- * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to each line of its
- * input how its wheels move: {@code MOVED CRUISED}, microseconds of the epoch when they last moved
- * at all and when they last moved at {@link #CRUISE}.
+ * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to
+ * each line of its input how its wheels move: {@code wheels MOVED CRUISED}, microseconds of the
+ * epoch when they last moved at all and when they last moved at {@link #CRUISE}.
  *
- * <p>Besides the robot's own threads one looks where the robot truly is, {@value #RATE} times a
+ * <p>Besides the robot's own threads one looks how fast the robot truly is, {@value #RATE} times a
  * second.
  */
 public final class HonestRobot implements Task {
