@@ -1,0 +1,18 @@
+/**
+ * What an attacker on the robot's network can do without a key, as programs: the benchmark {@code
+ * attack} and the tests of {@code org.dfra.attack} run them against robots of their own.
+ *
+ * <pre>
+ *   TaskProcess --starts--&gt; TaskMain --runs--&gt; Task
+ *                              | SourceSockets: connects from the attacker's address
+ *                              | Rebased: stock proxies that use these sockets
+ *                              | RawCall + CallBytes: requests written by hand
+ *   ProcessSample: threads, CPU time and heap of the attacked process
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.app.bench.attack.TaskProcess}.
+ */
+@NullMarked
+package org.dfra.app.bench.attack;
+
+import org.jspecify.annotations.NullMarked;

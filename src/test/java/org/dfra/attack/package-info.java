@@ -1,0 +1,12 @@
+/**
+ * Attacks by a stranger on the robot's network who has no key: each is run for real and must fail.
+ *
+ * <pre>
+ *   robot, operator, attacker: addresses of 127.0.0.0/8     AttackHosts
+ *   the attacker's process and what it sends                org.dfra.app.bench.attack
+ *   threads, heap and CPU time of the robot, before, after  Victim
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.attack.AttackKitTest}, which shows how an attack is written.
+ */
+package org.dfra.attack;
