@@ -112,9 +112,7 @@ public final class UnicastDiscovery {
     long end = System.nanoTime() + patience.toNanos();
     try {
       socket.setTcpNoDelay(true);
-      socket
-          .getOutputStream()
-          .write(ByteBuffer.allocate(Integer.BYTES).putInt(VERSION).array());
+      socket.getOutputStream().write(ByteBuffer.allocate(Integer.BYTES).putInt(VERSION).array());
       return SerialFilters.<Answer, Exception>readingAnswer(() -> answer(socket, end));
     } catch (ClassNotFoundException e) {
       throw e;
@@ -132,8 +130,7 @@ public final class UnicastDiscovery {
 
   private static Answer answer(Socket socket, long end) throws IOException, ClassNotFoundException {
     ObjectInputStream in =
-        new ObjectInputStream(
-            new BufferedInputStream(new DeadlineInput(socket, end, ANSWER_BYTES)));
+        new ObjectInputStream(new BufferedInputStream(new DeadlineInput(socket, end, ANSWER_BYTES)));
     in.setObjectInputFilter(UnicastDiscovery::check);
     if (!(in.readObject() instanceof MarshalledObject<?> marshalled)) {
       throw new InvalidObjectException("the answer does not begin with a marshalled object");
