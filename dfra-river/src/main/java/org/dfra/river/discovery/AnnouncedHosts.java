@@ -114,7 +114,7 @@ final class AnnouncedHosts {
     candidate.isDirect |= isDirect;
     if (!candidate.isKnown) {
       candidate.id = id;
-    } else if (candidate.failures > 0) { // it is back; whoever forges this costs it a probe a second
+    } else if (candidate.failures > 0) { // it is back; a forger gains one probe a second
       candidate.dueAt = Math.min(candidate.dueAt, now + SHORTEST_WAIT.toNanos());
     }
   }

@@ -62,6 +62,7 @@ record MulticastSettings(
    *     cannot fulfil
    * @throws IOException if this computer's interfaces or its own address cannot be found
    */
+  @SuppressWarnings("NullAway") // getEntry takes a null default
   static MulticastSettings of(Configuration configuration)
       throws ConfigurationException, IOException {
     ProxyPreparer preparer =
@@ -73,7 +74,8 @@ record MulticastSettings(
             new BasicProxyPreparer());
     MethodConstraints constraints =
         (MethodConstraints)
-            configuration.getEntry(COMPONENT, "discoveryConstraints", MethodConstraints.class, null);
+            configuration.getEntry(
+                COMPONENT, "discoveryConstraints", MethodConstraints.class, null);
     if (constraints == null) {
       constraints = new BasicMethodConstraints(InvocationConstraints.EMPTY);
     }

@@ -129,8 +129,8 @@ public final class UnicastDiscovery {
   }
 
   private static Answer answer(Socket socket, long end) throws IOException, ClassNotFoundException {
-    ObjectInputStream in =
-        new ObjectInputStream(new BufferedInputStream(new DeadlineInput(socket, end, ANSWER_BYTES)));
+    DeadlineInput input = new DeadlineInput(socket, end, ANSWER_BYTES);
+    ObjectInputStream in = new ObjectInputStream(new BufferedInputStream(input));
     in.setObjectInputFilter(UnicastDiscovery::check);
     if (!(in.readObject() instanceof MarshalledObject<?> marshalled)) {
       throw new InvalidObjectException("the answer does not begin with a marshalled object");

@@ -24,8 +24,8 @@ import org.dfra.river.discovery.MulticastSearch;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds lookup services: by group over multicast, and at locators by unicast. One that is found both ways is one. No multicast socket is opened while there are no
- * groups.
+ * Finds lookup services: by group over multicast, and at locators by unicast. One that is found
+ * both ways is one. No multicast socket is opened while there are no groups.
  */
 public final class Discovery
     implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {
@@ -188,8 +188,9 @@ public final class Discovery
   }
 
   @Override
-  public synchronized String @Nullable [] getGroups() {
-    String[] groups = multicast == null ? NO_GROUPS : multicast.getGroups();
+  @SuppressWarnings("NullAway") // Jini's way to say all groups
+  public synchronized String[] getGroups() {
+    String @Nullable [] groups = multicast == null ? NO_GROUPS : multicast.getGroups();
     return groups != null && groups.length == 0 ? NO_GROUPS : groups;
   }
 
