@@ -228,7 +228,8 @@ public final class MulticastSearch implements AutoCloseable {
 
   // Announcements, on the thread that receives them.
 
-  private void received(DatagramPacket packet) {
+  /** A datagram has come. For tests too. */
+  void received(DatagramPacket packet) {
     Optional<MulticastAnnouncement> announcement = DiscoveryPackets.announcement(packet);
     announcement.ifPresent(each -> announced(each, packet.getAddress()));
   }
