@@ -85,7 +85,7 @@ class RegistrarDoorTest {
         DRIVE.toString(),
         hosts.attacker());
     assertThat(Fakes.proxy(own, DRIVE)).contains("honest");
-    before.getServiceLease().renew(Fakes.LEASE_MILLIS);
+    before.getLease().renew(Fakes.LEASE_MILLIS);
 
     Fakes.register(own, DRIVE, "new incarnation", Fakes.module("eta", "drive"));
     assertThat(Fakes.proxy(own, DRIVE)).contains("new incarnation");
@@ -95,7 +95,7 @@ class RegistrarDoorTest {
 
   @Test
   void noStrangerTakesTheDrivesServiceIdWhileTheDriveIsDown() throws Exception {
-    Fakes.register(own, DRIVE, "honest", Fakes.module("eta", "drive")).getServiceLease().cancel();
+    Fakes.register(own, DRIVE, "honest", Fakes.module("eta", "drive")).getLease().cancel();
     assertThat(Fakes.proxy(own, DRIVE)).isEmpty();
     assertRefused(() -> Fakes.register(stranger, DRIVE, "fake"), "robot eta");
     Fakes.register(own, DRIVE, "new incarnation", Fakes.module("eta", "drive"));
@@ -116,7 +116,7 @@ class RegistrarDoorTest {
     ServiceRegistration again =
         Fakes.register(stranger, DRIVE, "third", Fakes.module("theta", "drive"));
     assertThat(Fakes.proxy(own, DRIVE)).contains("third");
-    again.getServiceLease().cancel();
+    again.getLease().cancel();
     Fakes.register(otherStranger, DRIVE, "fourth");
     assertThat(Fakes.proxy(own, DRIVE)).contains("fourth");
   }
@@ -163,7 +163,7 @@ class RegistrarDoorTest {
     assertRefused(() -> Fakes.register(stranger, null, "one more"), "services", "256 allowed");
     Fakes.register(otherStranger, null, "another's");
     Fakes.register(own, null, "own");
-    fakes.get(0).getServiceLease().cancel();
+    fakes.get(0).getLease().cancel();
     Fakes.register(stranger, null, "one more");
     for (int i = 0; i < 128; i++) {
       Fakes.listen(stranger);

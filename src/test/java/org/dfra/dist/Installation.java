@@ -70,7 +70,7 @@ final class Installation implements AutoCloseable {
         Map.of(),
         jlink.toString(),
         "--add-modules",
-        "java.se,jdk.crypto.ec,jdk.httpserver,jdk.unsupported",
+        "java.se,jdk.crypto.ec,jdk.unsupported",
         "--output",
         jre.toString());
     assertThat(jre.resolve("bin/java")).isExecutable();

@@ -13,9 +13,9 @@ import java.util.regex.Pattern;
 import net.jini.config.Configuration;
 import net.jini.config.NoSuchEntryException;
 import net.jini.core.entry.Entry;
-import net.jini.discovery.DiscoveryGroupManagement;
-import net.jini.discovery.LookupDiscovery;
+import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.core.lease.LeaseTerms;
+import org.dfra.river.discovery.MulticastSearch;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.Join;
 import org.junit.jupiter.api.Test;
@@ -114,9 +114,15 @@ class ModuleConfigurationReferenceTest {
             recorder)) {
       assertThat(unused).isNotNull();
     }
-    LookupDiscovery multicast =
-        new LookupDiscovery(DiscoveryGroupManagement.NO_GROUPS, recorder); // as with groups
-    multicast.terminate();
+    MulticastSearch.Listener nobody =
+        new MulticastSearch.Listener() {
+          @Override
+          public void found(ServiceRegistrar registrar) {}
+
+          @Override
+          public void lost(ServiceRegistrar registrar) {}
+        };
+    new MulticastSearch(new String[0], recorder, nobody).close(); // as with groups
     return recorder.asked;
   }
 

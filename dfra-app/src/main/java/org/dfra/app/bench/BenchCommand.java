@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Benchmarks:",
+      "  attack        a robot under attack by a stranger (ten minutes; less by --seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, the latency of events alone",
       "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
@@ -39,6 +40,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   /** Knows them all; runs none. */
   public BenchCommand() {
+    benches.put("attack", () -> new AttackBench(seconds));
     benches.put("distributed", DistributedBench::new);
     benches.put("events", EventBench::new);
     benches.put("fuzzy", FuzzyBench::new);
@@ -58,6 +60,12 @@ public final class BenchCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "How many seeds the benchmark navigation runs (default ${DEFAULT-VALUE}).")
   private int seeds = 200;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "How long the benchmark attack repeats each attack (default ${DEFAULT-VALUE}).")
+  private int seconds = 30;
 
   @Option(
       names = "--report",
@@ -86,6 +94,10 @@ public final class BenchCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(),
           "there is no benchmark \"" + name + "\"; there is " + benches.keySet());
+    }
+    if (seconds < 1) {
+      throw new ParameterException(
+          spec.commandLine(), "--seconds " + seconds + " is below 1; give 1 or more");
     }
     Report report = new Report(spec.commandLine().getOut());
     bench.get().run(report);

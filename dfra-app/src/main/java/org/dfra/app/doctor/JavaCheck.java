@@ -25,7 +25,6 @@ record JavaCheck(int feature, String version, String home, Set<String> modules) 
           "java.naming",
           "java.rmi",
           "java.xml",
-          "jdk.httpserver",
           "jdk.unsupported");
 
   JavaCheck {

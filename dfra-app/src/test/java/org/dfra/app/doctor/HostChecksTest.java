@@ -25,7 +25,6 @@ class HostChecksTest {
           "java.naming",
           "java.rmi",
           "java.xml",
-          "jdk.httpserver",
           "jdk.unsupported");
 
   @TempDir Path folder;
@@ -46,11 +45,11 @@ class HostChecksTest {
   @Test
   void aJavaThatLacksModulesIsAFailure() {
     Set<String> some = new HashSet<>(WHOLE);
-    some.remove("jdk.httpserver");
+    some.remove("java.rmi");
     assertThat(new JavaCheck(17, "17.0.15", "/opt/java", some).examine())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
-        .returns("Java 17.0.15 at /opt/java lacks jdk.httpserver", Finding::what);
+        .returns("Java 17.0.15 at /opt/java lacks java.rmi", Finding::what);
   }
 
   @Test

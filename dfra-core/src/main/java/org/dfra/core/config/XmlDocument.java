@@ -16,19 +16,34 @@ final class XmlDocument {
 
   private static final String NO_DOCTYPE = "http://apache.org/xml/features/disallow-doctype-decl";
 
+  /** The JDK's parser counts open elements; without a limit, deep nesting costs quadratic time. */
+  private static final String MAX_DEPTH =
+      "http://www.oracle.com/xml/jaxp/properties/maxElementDepth";
+
+  /** No document of DFRA nests elements deeper than 8. */
+  private static final int DEPTH = 64;
+
+  private static final int MAX_BYTES = 16 << 20;
+
   private XmlDocument() {}
 
   /**
    * The root element; it and all below it know their lines.
    *
-   * @throws ConfigurationException if the text is not well-formed or its root is another one
+   * @throws ConfigurationException if the text is not well-formed, is larger than 16 MiB or nested
+   *     deeper than 64 elements, or its root is another one
    */
   static Element root(byte[] text, Place whole, XmlSchema schema) {
+    if (text.length > MAX_BYTES) {
+      throw new ConfigurationException(
+          whole + ": the file has " + text.length + " bytes, at most " + MAX_BYTES + " are read");
+    }
     SAXBuilder builder = new SAXBuilder(XMLReaders.NONVALIDATING, null, new LocatedJDOMFactory());
     // Without a document type there is no entity, so nothing outside of the text is ever read.
     builder.setFeature(NO_DOCTYPE, true);
     builder.setExpandEntities(false);
     builder.setProperty(XmlSchema.LOCALE, Locale.ROOT);
+    builder.setProperty(MAX_DEPTH, DEPTH);
     try {
       Element root = builder.build(new ByteArrayInputStream(text)).getRootElement();
       requireRoot(root, whole, schema);
@@ -67,6 +82,9 @@ final class XmlDocument {
   private static String sentence(JDOMParseException fault) {
     Throwable cause = fault.getCause() == null ? fault : fault.getCause();
     String message = String.valueOf(cause.getMessage());
+    if (message.startsWith("JAXP00010006")) { // the JDK's number for MAX_DEPTH
+      return "elements are nested deeper than " + DEPTH + "; no robot needs that, correct it";
+    }
     return message.contains(NO_DOCTYPE)
         ? "a document type is not allowed, since it could name files elsewhere; delete <!DOCTYPE …>"
         : "the XML is not well-formed ("

@@ -1,20 +1,19 @@
 package org.dfra.river.filter;
 
 import java.io.ObjectInputFilter;
-import java.io.ObjectInputStream;
 import java.util.function.BinaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Gives every object stream of the virtual machine a filter (JEP 415).
  *
+ * <p>What a stream reads from is not guessed: each has the network's limits, unless the thread that
+ * makes it is {@linkplain SerialFilters#readingStored reading what this computer stored}.
+ *
  * <p>{@link SerialFilters#install()} puts it in place; a virtual machine whose main class is not
  * DFRA's gets it by {@code -Djdk.serialFilterFactory=org.dfra.river.filter.SerialFilterFactory}.
  */
 public final class SerialFilterFactory implements BinaryOperator<@Nullable ObjectInputFilter> {
-
-  private static final StackWalker STACK =
-      StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
 
   /** The JDK asks for this constructor when it is named by system property. */
   public SerialFilterFactory() {}
@@ -27,7 +26,7 @@ public final class SerialFilterFactory implements BinaryOperator<@Nullable Objec
   public ObjectInputFilter apply(
       @Nullable ObjectInputFilter current, @Nullable ObjectInputFilter next) {
     if (current == null) {
-      GraphFilter ours = isStored() ? SerialFilters.stored() : SerialFilters.stream();
+      GraphFilter ours = SerialFilters.stream();
       return next == null ? ours : new Both(next, ours);
     }
     if (next == null) {
@@ -37,17 +36,6 @@ public final class SerialFilterFactory implements BinaryOperator<@Nullable Objec
       return current instanceof Both both ? new Both(both.theirs(), next) : next;
     }
     return new Both(next, current);
-  }
-
-  /** Files are read with the JDK's own class; each network protocol has a subclass. */
-  private static boolean isStored() {
-    return STACK.walk(
-        frames ->
-            frames
-                .<Class<?>>map(StackWalker.StackFrame::getDeclaringClass)
-                .dropWhile(type -> !ObjectInputStream.class.isAssignableFrom(type))
-                .takeWhile(ObjectInputStream.class::isAssignableFrom)
-                .allMatch(type -> type == ObjectInputStream.class));
   }
 
   /** Refuses what one of two refuses; the owner's filter is asked first. */

@@ -5,6 +5,7 @@ import java.io.ObjectInputStream;
 import java.lang.reflect.Method;
 import java.util.List;
 import net.jini.jeri.OutboundRequest;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The deserialization filters of this virtual machine.
@@ -15,6 +16,22 @@ import net.jini.jeri.OutboundRequest;
  * allows references to objects exported by JRMP, for programs that use any. They are read once.
  */
 public final class SerialFilters {
+
+  /**
+   * Something that reads object streams.
+   *
+   * @param <T> what was read
+   * @param <E> what it throws if it cannot be read
+   */
+  @FunctionalInterface
+  public interface Reading<T extends @Nullable Object, E extends Exception> {
+
+    /** Reads. */
+    T read() throws E;
+  }
+
+  /** What the current thread's streams read from; empty for the network. */
+  private static final ThreadLocal<@Nullable SerialLimits> SCOPE = new ThreadLocal<>();
 
   private SerialFilters() {}
 
@@ -97,6 +114,16 @@ public final class SerialFilters {
     return in;
   }
 
+  /**
+   * Reads a file: what this computer wrote itself, such as a journal.
+   *
+   * @param in a stream that nothing was read from
+   */
+  public static ObjectInputStream guardStored(ObjectInputStream in) {
+    in.setObjectInputFilter(new GraphFilter(SerialLimits.STORED, Configured.TYPES));
+    return in;
+  }
+
   /** How large the arguments of one call may be. */
   static SerialLimits callLimits() {
     return Configured.CALL;
@@ -111,12 +138,49 @@ public final class SerialFilters {
     return new GraphFilter(Configured.CALL, types);
   }
 
+  /** For a stream that the current thread makes now: the network's, unless its scope is another. */
   static GraphFilter stream() {
-    return new GraphFilter(Configured.STREAM, Configured.TYPES);
+    SerialLimits scope = SCOPE.get();
+    return new GraphFilter(scope == null ? Configured.STREAM : scope, Configured.TYPES);
   }
 
-  static GraphFilter stored() {
-    return new GraphFilter(SerialLimits.STORED, Configured.TYPES);
+  /**
+   * Reads with the limits of what this computer wrote itself: object streams that the current
+   * thread makes meanwhile may be as large as a file. For code that makes its streams itself, such
+   * as a lookup service that recovers from its log.
+   *
+   * @param reading what reads; nothing of it may come from the network
+   * @throws E what {@code reading} throws
+   */
+  public static <T extends @Nullable Object, E extends Exception> T readingStored(
+      Reading<T, E> reading) throws E {
+    return within(SerialLimits.STORED, reading);
+  }
+
+  /**
+   * Reads an answer to unicast discovery: object streams that the current thread makes meanwhile
+   * have the limits {@link SerialLimits#ANSWER}.
+   *
+   * @throws E what {@code reading} throws
+   */
+  public static <T extends @Nullable Object, E extends Exception> T readingAnswer(
+      Reading<T, E> reading) throws E {
+    return within(SerialLimits.ANSWER, reading);
+  }
+
+  private static <T extends @Nullable Object, E extends Exception> T within(
+      SerialLimits limits, Reading<T, E> reading) throws E {
+    SerialLimits outer = SCOPE.get();
+    SCOPE.set(limits);
+    try {
+      return reading.read();
+    } finally {
+      if (outer == null) {
+        SCOPE.remove();
+      } else {
+        SCOPE.set(outer);
+      }
+    }
   }
 
   /**

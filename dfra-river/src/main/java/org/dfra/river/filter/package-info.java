@@ -11,6 +11,10 @@
  *                                                RefusedDataException, nothing is built
  * </pre>
  *
+ * <p>Every stream has the network's limits. What reads a file says so: {@link
+ * org.dfra.river.filter.SerialFilters#guardStored} for a stream, {@link
+ * org.dfra.river.filter.SerialFilters#readingStored} around code that makes its streams itself.
+ *
  * <p>Enter at {@link org.dfra.river.filter.SerialFilters}. The package is part of the {@code -dl}
  * jar, since a downloaded proxy filters its results too: it needs the JDK and River only.
  */

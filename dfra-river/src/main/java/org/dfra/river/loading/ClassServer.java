@@ -1,7 +1,5 @@
 package org.dfra.river.loading;
 
-import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
@@ -12,12 +10,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -28,22 +20,19 @@ import org.slf4j.LoggerFactory;
  *
  * <p>The jars are read when it starts: their digests are those of the bytes it serves, also if a
  * jar is rebuilt meanwhile. Nothing but these jars can be asked for, and where there are {@link
- * KeptJars}, what they were before. Its threads, {@code class server n}, live from {@link #start}
- * to {@link #close}.
+ * KeptJars}, what they were before. Slow clients are limited ({@link HttpListener}). Its threads,
+ * {@code class server n}, live from {@link #start} to {@link #close}.
  */
 public final class ClassServer implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ClassServer.class);
-
-  private static final int THREADS = 8;
 
   private final String host;
   private final int port;
   private final Map<String, Path> files;
   private final @Nullable KeptJars kept;
   private Map<String, Jar> jars = Map.of(); // guarded by this
-  private @Nullable HttpServer server; // guarded by this
-  private @Nullable ExecutorService threads; // guarded by this
+  private @Nullable HttpListener server; // guarded by this
 
   private record Jar(byte[] bytes, String digest) {}
 
@@ -97,13 +86,10 @@ public final class ClassServer implements AutoCloseable {
       byte[] bytes = read(file.getValue());
       read.put(file.getKey(), new Jar(bytes, Digests.sha256(bytes)));
     }
-    // A client that stalls gives its thread back; the JDK's server reads these once.
-    System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
-    System.getProperties().putIfAbsent("sun.net.httpserver.maxRspTime", "60");
     InetSocketAddress address = new InetSocketAddress(host, port);
-    HttpServer starting;
+    jars = read;
     try {
-      starting = HttpServer.create(address, 0);
+      server = new HttpListener(address, this::answer);
     } catch (IOException | RuntimeException e) {
       throw new IOException(
           "the class server cannot listen on "
@@ -115,31 +101,21 @@ public final class ClassServer implements AutoCloseable {
               + "); end what does, or name another address or port",
           e);
     }
-    jars = read;
-    threads = threads();
-    starting.setExecutor(threads);
-    starting.createContext("/", this::answer);
-    starting.start();
-    server = starting;
-    LOG.info("Serving {} at {}:{}.", files.keySet(), host, starting.getAddress().getPort());
+    LOG.info("Serving {} at {}:{}.", files.keySet(), host, server.port());
   }
 
   /** Serves nothing any more. Does nothing if it is not started. */
   @Override
   public synchronized void close() {
     if (server != null) {
-      server.stop(0);
+      server.close();
       server = null;
-    }
-    if (threads != null) {
-      threads.shutdownNow();
-      threads = null;
     }
   }
 
   /** The TCP port it listens on. */
   public synchronized int port() {
-    return started().getAddress().getPort();
+    return started().port();
   }
 
   /**
@@ -151,7 +127,7 @@ public final class ClassServer implements AutoCloseable {
    * @throws IllegalArgumentException if it does not serve one of them
    */
   public synchronized String codebase(String... jars) {
-    int listening = started().getAddress().getPort();
+    int listening = started().port();
     return (jars.length == 0 ? files.keySet().stream() : Arrays.stream(jars))
         .map(name -> url(host, listening, name, served(name).digest()))
         .collect(Collectors.joining(" "));
@@ -172,7 +148,7 @@ public final class ClassServer implements AutoCloseable {
     return String.join(" ", urls);
   }
 
-  private HttpServer started() {
+  private HttpListener started() {
     if (server == null) {
       throw new IllegalStateException("the class server of " + files.keySet() + " is not started");
     }
@@ -212,49 +188,14 @@ public final class ClassServer implements AutoCloseable {
     }
   }
 
-  private static ExecutorService threads() {
-    AtomicInteger number = new AtomicInteger();
-    ThreadPoolExecutor pool =
-        new ThreadPoolExecutor(
-            THREADS,
-            THREADS,
-            10,
-            TimeUnit.SECONDS,
-            new LinkedBlockingQueue<>(),
-            task -> {
-              Thread thread = Executors.defaultThreadFactory().newThread(task);
-              thread.setName("class server " + number.incrementAndGet());
-              thread.setDaemon(true);
-              return thread;
-            });
-    pool.allowCoreThreadTimeOut(true);
-    return pool;
-  }
-
-  private void answer(HttpExchange exchange) throws IOException {
-    try (exchange) {
-      String method = exchange.getRequestMethod();
-      boolean head = method.equals("HEAD");
-      if (!head && !method.equals("GET")) {
-        exchange.getResponseHeaders().set("Allow", "GET, HEAD");
-        exchange.sendResponseHeaders(405, -1);
-        return;
-      }
-      Jar jar = asked(exchange.getRequestURI().getRawPath());
-      if (jar == null) {
-        exchange.sendResponseHeaders(404, -1);
-        return;
-      }
-      exchange.getResponseHeaders().set("Content-Type", "application/java-archive");
-      exchange.getResponseHeaders().set("ETag", etag(jar.digest()));
-      if (head) {
-        exchange.getResponseHeaders().set("Content-Length", Integer.toString(jar.bytes().length));
-        exchange.sendResponseHeaders(200, -1);
-        return;
-      }
-      exchange.sendResponseHeaders(200, jar.bytes().length);
-      exchange.getResponseBody().write(jar.bytes());
-    }
+  private HttpAnswers.Answer answer(String path) throws IOException {
+    Jar jar = asked(path);
+    return jar == null
+        ? HttpAnswers.Answer.NOT_FOUND
+        : new HttpAnswers.Answer(
+            200,
+            Map.of("Content-Type", "application/java-archive", "ETag", etag(jar.digest())),
+            jar.bytes());
   }
 
   /** How a jar's digest stands in the header of an answer. */
@@ -266,8 +207,8 @@ public final class ClassServer implements AutoCloseable {
    * The path is a key, never a file's name. Who asks for a digest that is not to be had gets the
    * jar of that name as it is, and so can say what differs.
    */
-  private @Nullable Jar asked(@Nullable String path) throws IOException {
-    if (path == null || !path.startsWith("/")) {
+  private @Nullable Jar asked(String path) throws IOException {
+    if (!path.startsWith("/")) {
       return null;
     }
     int at = path.indexOf(DIGEST);

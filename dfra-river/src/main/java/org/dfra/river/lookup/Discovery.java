@@ -20,13 +20,12 @@ import net.jini.discovery.DiscoveryGroupManagement;
 import net.jini.discovery.DiscoveryListener;
 import net.jini.discovery.DiscoveryLocatorManagement;
 import net.jini.discovery.DiscoveryManagement;
-import net.jini.discovery.LookupDiscovery;
+import org.dfra.river.discovery.MulticastSearch;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds lookup services: by group over multicast, which is River's work, and at locators by
- * unicast. One that is found both ways is one. No multicast socket is opened while there are no
- * groups.
+ * Finds lookup services: by group over multicast, and at locators by unicast. One that is found
+ * both ways is one. No multicast socket is opened while there are no groups.
  */
 public final class Discovery
     implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {
@@ -39,7 +38,7 @@ public final class Discovery
   private final List<DiscoveryListener> listeners = new CopyOnWriteArrayList<>();
   private final Map<ServiceID, ServiceRegistrar> found = new LinkedHashMap<>(); // guarded by this
   private final List<LocatorSearch> searches = new ArrayList<>(); // guarded by this
-  private @Nullable LookupDiscovery multicast; // guarded by this
+  private @Nullable MulticastSearch multicast; // guarded by this
   private boolean ended; // guarded by this
 
   private Discovery(Configuration configuration, Duration retry) {
@@ -79,27 +78,25 @@ public final class Discovery
     }
   }
 
-  private synchronized void multicast(String[] groups) throws IOException, ConfigurationException {
-    LookupDiscovery begun = new LookupDiscovery(groups, configuration);
-    multicast = begun;
-    begun.addDiscoveryListener(
-        new DiscoveryListener() {
-          @Override
-          public void discovered(DiscoveryEvent event) {
-            for (ServiceRegistrar each : event.getRegistrars()) {
-              add(each);
-            }
-          }
-
-          @Override
-          public void discarded(DiscoveryEvent event) {
-            for (ServiceRegistrar each : event.getRegistrars()) {
-              if (!isAtLocator(each.getServiceID())) {
-                remove(each);
+  private synchronized void multicast(String @Nullable [] groups)
+      throws IOException, ConfigurationException {
+    multicast =
+        new MulticastSearch(
+            groups,
+            configuration,
+            new MulticastSearch.Listener() {
+              @Override
+              public void found(ServiceRegistrar registrar) {
+                add(registrar);
               }
-            }
-          }
-        });
+
+              @Override
+              public void lost(ServiceRegistrar registrar) {
+                if (!isAtLocator(registrar.getServiceID())) {
+                  remove(registrar);
+                }
+              }
+            });
   }
 
   /** What was found at each locator. */
@@ -161,34 +158,21 @@ public final class Discovery
   @Override
   public void discard(ServiceRegistrar registrar) {
     remove(registrar);
-    @Nullable LookupDiscovery groups;
+    @Nullable MulticastSearch groups;
     List<LocatorSearch> all;
     synchronized (this) {
       groups = multicast;
       all = List.copyOf(searches);
     }
     if (groups != null) {
-      discard(groups, registrar);
+      groups.discard(registrar);
     }
     all.forEach(search -> search.discard(registrar.getServiceID()));
   }
 
-  /** Whoever notices that a registrar is silent may be later than the end of the search. */
-  private void discard(LookupDiscovery groups, ServiceRegistrar registrar) {
-    try {
-      groups.discard(registrar);
-    } catch (IllegalStateException e) {
-      synchronized (this) {
-        if (!ended) {
-          throw e;
-        }
-      }
-    }
-  }
-
   @Override
   public void terminate() {
-    @Nullable LookupDiscovery groups;
+    @Nullable MulticastSearch groups;
     List<LocatorSearch> all;
     synchronized (this) {
       ended = true;
@@ -198,14 +182,16 @@ public final class Discovery
       listeners.clear();
     }
     if (groups != null) {
-      groups.terminate();
+      groups.close();
     }
     all.forEach(LocatorSearch::close);
   }
 
   @Override
+  @SuppressWarnings("NullAway") // Jini's way to say all groups
   public synchronized String[] getGroups() {
-    return multicast == null ? NO_GROUPS : multicast.getGroups();
+    String @Nullable [] groups = multicast == null ? NO_GROUPS : multicast.getGroups();
+    return groups != null && groups.length == 0 ? NO_GROUPS : groups;
   }
 
   @Override
@@ -271,15 +257,13 @@ public final class Discovery
       List<LocatorSearch> ending =
           searches.stream().filter(search -> unwanted.contains(search.locator())).toList();
       searches.removeAll(ending);
-      List<ServiceRegistrar> byGroup =
-          multicast == null ? List.of() : Arrays.asList(multicast.getRegistrars());
       for (LocatorSearch search : ending) {
         search.close();
         @Nullable ServiceID id = search.found();
         @Nullable ServiceRegistrar registrar = id == null ? null : found.get(id);
         if (registrar != null
             && !isAtLocator(registrar.getServiceID())
-            && !byGroup.contains(registrar)) {
+            && (multicast == null || !multicast.holds(registrar.getServiceID()))) {
           lost.add(registrar);
         }
       }

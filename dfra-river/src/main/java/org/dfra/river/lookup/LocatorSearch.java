@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.discovery.ConstrainableLookupLocator;
+import org.dfra.river.discovery.UnicastDiscovery;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -126,9 +126,8 @@ final class LocatorSearch implements AutoCloseable {
   private @Nullable ServiceRegistrar look() {
     try {
       ServiceRegistrar registrar =
-          new ConstrainableLookupLocator(
-                  locator.getHost(), locator.getPort(), RobotPace.ofLocators())
-              .getRegistrar();
+          UnicastDiscovery.ask(locator.getHost(), locator.getPort(), RobotPace.PATIENCE)
+              .registrar();
       complained = false;
       return registrar;
     } catch (IOException | ClassNotFoundException | RuntimeException e) {

@@ -1,21 +1,11 @@
 package org.dfra.river.lookup;
 
-import com.sun.jini.discovery.UnicastSocketTimeout;
 import com.sun.jini.thread.WakeupManager;
 import com.sun.jini.thread.WakeupManager.ThreadDesc;
-import java.lang.reflect.Method;
 import java.time.Duration;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.HashMap;
-import java.util.Iterator;
-import java.util.List;
 import java.util.Map;
 import net.jini.config.Configuration;
-import net.jini.core.constraint.ConnectionAbsoluteTime;
-import net.jini.core.constraint.InvocationConstraint;
-import net.jini.core.constraint.InvocationConstraints;
-import net.jini.core.constraint.MethodConstraints;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
@@ -34,7 +24,7 @@ final class RobotPace {
   /** The longest wait between two tries. */
   static final Duration LONGEST_WAIT = Duration.ofSeconds(2);
 
-  /** How long one try waits for its connection, and then for each answer. */
+  /** How long one try waits for its connection, and the same again for the whole answer. */
   static final Duration PATIENCE = Duration.ofSeconds(2);
 
   private RobotPace() {}
@@ -48,11 +38,6 @@ final class RobotPace {
             () -> new Impatient(Scheduler.system()),
             "net.jini.lookup.JoinManager.maxLeaseDuration",
             LEASE::toMillis));
-  }
-
-  /** Constraints of a locator: a try that has begun ends soon. */
-  static MethodConstraints ofLocators() {
-    return new SoonEnded();
   }
 
   /**
@@ -125,31 +110,6 @@ final class RobotPace {
     public void stop() {
       cancelAll();
       super.stop();
-    }
-  }
-
-  /** River asks for these at the beginning of each try, so the deadline is always a fresh one. */
-  private static final class SoonEnded implements MethodConstraints {
-
-    @Override
-    public InvocationConstraints getConstraints(Method method) {
-      long millis = PATIENCE.toMillis();
-      InvocationConstraint[] wanted = {
-        new ConnectionAbsoluteTime(System.currentTimeMillis() + millis),
-        new UnicastSocketTimeout((int) millis)
-      };
-      return new InvocationConstraints(Collections.emptyList(), Arrays.asList(wanted));
-    }
-
-    @Override
-    @SuppressWarnings("rawtypes") // as River declares it
-    public Iterator possibleConstraints() {
-      return List.of(getConstraints(Object.class.getMethods()[0])).iterator();
-    }
-
-    @Override
-    public String toString() {
-      return "each try ends within seconds";
     }
   }
 }

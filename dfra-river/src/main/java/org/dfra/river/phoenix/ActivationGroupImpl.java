@@ -28,6 +28,7 @@ import net.jini.export.ProxyAccessor;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -46,6 +47,8 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private static final Logger LOG = LoggerFactory.getLogger(ActivationGroupImpl.class);
 
   private static final String COMPONENT = "org.dfra.river.phoenix.group";
+
+  private static final String RIVERS_SERVICES = "com.sun.jini.";
 
   /** The daemon waits for the constructor of an object, which may load classes and open ports. */
   private static final long INSTANTIATION_DEADLINE_MILLIS = 20_000;
@@ -151,7 +154,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Constructor<?> constructor =
           type.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
       constructor.setAccessible(true);
-      if (!(constructor.newInstance(object, desc.getData()) instanceof Remote made)) {
+      if (!(construct(constructor, object, desc) instanceof Remote made)) {
         throw new ActivationException(desc.getClassName() + " is not Remote");
       }
       slot.proxy = new MarshalledObject<>(proxyOf(made));
@@ -169,6 +172,16 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     } finally {
       thread.setContextClassLoader(context);
     }
+  }
+
+  /** River's own services read their logs while they are constructed, on the same thread. */
+  private static Object construct(
+      Constructor<?> constructor, ActivationID object, ActivationDesc desc)
+      throws ReflectiveOperationException {
+    return constructor.getDeclaringClass().getName().startsWith(RIVERS_SERVICES)
+        ? SerialFilters.<Object, ReflectiveOperationException>readingStored(
+            () -> constructor.newInstance(object, desc.getData()))
+        : constructor.newInstance(object, desc.getData());
   }
 
   private static Remote proxyOf(Remote made) throws ActivationException {

@@ -11,6 +11,7 @@ import java.io.ObjectOutputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32C;
+import org.dfra.river.filter.SerialFilters;
 
 /**
  * How the journal's snapshot and records are written: serialized objects behind their length and a
@@ -107,7 +108,8 @@ final class JournalHandler extends LogHandler {
   }
 
   private static Object deserialize(byte[] bytes) throws IOException, ClassNotFoundException {
-    try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes))) {
+    try (ObjectInputStream in =
+        SerialFilters.guardStored(new ObjectInputStream(new ByteArrayInputStream(bytes)))) {
       return in.readObject();
     }
   }

@@ -79,10 +79,40 @@ class SerialFiltersTest {
       long version = ObjectStreamClass.lookupAny(long[].class).getSerialVersionUID();
       byte[] giant = Payload.array("[J", version, 1 << 28); // 2 GiB, in a heap of 128 MiB
       refused("giant, lookup result", () -> forged(giant).get(false));
-      refused("giant, stored", () -> plain(giant).readObject());
+      refused("giant, plain", () -> plain(giant).readObject());
+      refused("giant, stored", () -> SerialFilters.guardStored(plain(giant)).readObject());
+      byte[] foreign = Payload.bytes(new BadAttributeValueExpException("x"));
+      refused("foreign, plain", () -> plain(foreign).readObject());
+      refused("foreign, stored", () -> SerialFilters.guardStored(plain(foreign)).readObject());
+
+      byte[] file = Payload.bytes(new byte[8 << 20]); // more than an array from the network has
+      refused("large, plain", () -> plain(file).readObject());
+      assertThat(SerialFilters.guardStored(plain(file)).readObject()).isNotNull();
+      assertThat(SerialFilters.<Object, Exception>readingStored(() -> plain(file).readObject()))
+          .isNotNull();
+      refused("large, after a scope", () -> plain(file).readObject());
+      byte[] answer = Payload.bytes(new byte[80 << 10]);
+      assertThat(plain(answer).readObject()).isNotNull();
       refused(
-          "foreign, stored",
-          () -> plain(Payload.bytes(new BadAttributeValueExpException("x"))).readObject());
+          "large, an answer to discovery",
+          () -> SerialFilters.<Object, Exception>readingAnswer(() -> plain(answer).readObject()));
+      refused(
+          "large, marshalled in an answer",
+          () -> {
+            MarshalledInstance inner = forged(answer);
+            return SerialFilters.<Object, Exception>readingAnswer(() -> inner.get(false));
+          });
+      Object afterInner =
+          SerialFilters.<Object, Exception>readingStored(
+              () -> {
+                refused(
+                    "large, an answer within a file",
+                    () ->
+                        SerialFilters.<Object, Exception>readingAnswer(
+                            () -> plain(answer).readObject()));
+                return plain(file).readObject(); // the outer scope again
+              });
+      assertThat(afterInner).isNotNull();
 
       Object registrations = new ArrayList<>(Collections.nCopies(300_000, 1.5));
       assertThat(plain(Payload.bytes(registrations)).readObject()).isEqualTo(registrations);

@@ -1,0 +1,120 @@
+package org.dfra.app.bench.attack;
+
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.stage.FieldRobot;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.time.RobotTime;
+import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.ClassServer;
+import org.dfra.river.loading.TrustedCode;
+import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.Simulation;
+import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.world.Truth;
+import org.dfra.sim.world.file.WorldXml;
+
+/**
+ * A robot of the team {@code raster} with its registrar, a class server without jars and the
+ * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to
+ * each line of its input how its wheels move: {@code wheels MOVED CRUISED}, microseconds of the
+ * epoch when they last moved at all and when they last moved at {@link #CRUISE}.
+ *
+ * <p>Besides the robot's own threads one looks how fast the robot truly is, {@value #RATE} times a
+ * second.
+ */
+public final class HonestRobot implements Task {
+
+  /** The robot's name. */
+  static final String NAME = "atrv1";
+
+  /** Where it listens. */
+  static final String HOST = "127.0.0.1";
+
+  /** The speed at which the operator drives, metres per second. */
+  static final double CRUISE = 0.3;
+
+  /** From here on, as a part of {@link #CRUISE}, it counts as slower. */
+  private static final double SLOWER = 0.9;
+
+  /** Metres per second; below, wheels count as stopped. */
+  private static final double STOPPED = 0.01;
+
+  private static final int RATE = 200; // hertz
+
+  private static final Path CONFIG = Path.of(System.getProperty("dfra.root", "."), "config");
+  private static final Path WORLD = CONFIG.resolve("worlds/raster.xml");
+  private static final Path XML = CONFIG.resolve("teams/raster/" + NAME + ".xml");
+
+  private volatile Instant moved = Instant.EPOCH;
+  private volatile Instant cruised = Instant.EPOCH;
+
+  /** As every task is made. */
+  public HonestRobot() {}
+
+  @Override
+  public void run(String[] args, PrintStream out) throws Exception {
+    SerialFilters.install();
+    TrustedCode.install();
+    InstantSource clock = RobotTime.clock();
+    try (Simulation simulation = Simulation.overTcp(WorldXml.read(WORLD), clock, Ports.ANY)) {
+      simulation.start();
+      try (EmbeddedRobot robot = new EmbeddedRobot(described(simulation));
+          ClassServer classes = new ClassServer(HOST, 0, CONFIG, List.of())) {
+        robot.start();
+        classes.start();
+        watch(simulation.world().truth(), clock);
+        out.println("registrar " + robot.registrar().port() + " classes " + classes.port());
+        BufferedReader in =
+            new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        while (in.readLine() != null) {
+          out.println("wheels " + micros(moved) + " " + micros(cruised));
+        }
+      }
+    }
+  }
+
+  private static RobotDescription described(Simulation simulation) throws Exception {
+    Map<String, String> links =
+        simulation.lines().stream()
+            .filter(each -> each.robot().equals(NAME))
+            .collect(Collectors.toMap(SimulatedLine::device, SimulatedLine::link));
+    RobotDescription robot = FieldRobot.describe(XML, NAME, links);
+    int port = robot.registrar().orElseThrow().port();
+    return robot.among(List.of("jini://" + HOST + ":" + port));
+  }
+
+  private void watch(Truth truth, InstantSource clock) {
+    Thread thread =
+        new Thread(
+            () -> {
+              while (true) {
+                Instant now = clock.instant();
+                double speed = truth.pose(NAME, now).speed();
+                moved = speed > STOPPED ? now : moved;
+                cruised = speed > SLOWER * CRUISE ? now : cruised;
+                LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1) / RATE);
+              }
+            },
+            "watches the wheels");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Microseconds of the epoch. */
+  static long micros(Instant time) {
+    return ChronoUnit.MICROS.between(Instant.EPOCH, time);
+  }
+}

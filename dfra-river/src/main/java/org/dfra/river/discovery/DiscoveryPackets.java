@@ -1,0 +1,95 @@
+package org.dfra.river.discovery;
+
+import com.sun.jini.discovery.Discovery;
+import com.sun.jini.discovery.EncodeIterator;
+import com.sun.jini.discovery.MulticastAnnouncement;
+import com.sun.jini.discovery.MulticastAnnouncementDecoder;
+import com.sun.jini.discovery.MulticastAnnouncementEncoder;
+import com.sun.jini.discovery.MulticastRequest;
+import com.sun.jini.discovery.MulticastRequestDecoder;
+import com.sun.jini.discovery.MulticastRequestEncoder;
+import com.sun.jini.discovery.UnicastDiscoveryClient;
+import com.sun.jini.discovery.UnicastDiscoveryServer;
+import com.sun.jini.discovery.plaintext.Client;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.lookup.ServiceID;
+
+/**
+ * The datagrams of multicast discovery: requests written, announcements read. River's parsers do
+ * it: what they make is bounded by the datagram that they are given. Of version 2 only the format
+ * without keys is spoken.
+ */
+final class DiscoveryPackets {
+
+  /** A name or an address, and nothing that would do harm in a log. */
+  private static final Pattern HOST = Pattern.compile("[0-9A-Za-z.:%_-]{1,255}");
+
+  private static final Discovery VERSION_1 = Discovery.getProtocol1();
+  private static final Discovery VERSION_2 = plaintext();
+
+  private DiscoveryPackets() {}
+
+  private static Discovery plaintext() {
+    Client client = new Client();
+    return Discovery.getProtocol2(
+        new MulticastRequestEncoder[] {client},
+        new MulticastRequestDecoder[0],
+        new MulticastAnnouncementEncoder[0],
+        new MulticastAnnouncementDecoder[] {client},
+        new UnicastDiscoveryClient[0],
+        new UnicastDiscoveryServer[0]);
+  }
+
+  /**
+   * Requests answers from lookup services.
+   *
+   * @param port where they are to connect to
+   * @param groups whose members are to answer; all where empty
+   * @param known lookup services that need not answer
+   * @throws IOException if a group's name is too long for a datagram
+   */
+  static List<DatagramPacket> request(
+      MulticastSettings settings, int port, List<String> groups, Collection<ServiceID> known)
+      throws IOException {
+    MulticastRequest request =
+        new MulticastRequest(
+            settings.host(),
+            port,
+            groups.toArray(String[]::new),
+            known.toArray(ServiceID[]::new));
+    EncodeIterator encoded =
+        (settings.version() == 1 ? VERSION_1 : VERSION_2)
+            .encodeMulticastRequest(request, settings.packetBytes(), InvocationConstraints.EMPTY);
+    List<DatagramPacket> packets = new ArrayList<>();
+    while (encoded.hasNext()) {
+      packets.addAll(List.of(encoded.next()));
+    }
+    return packets;
+  }
+
+  /** What a datagram announces; nothing if it is no announcement. */
+  static Optional<MulticastAnnouncement> announcement(DatagramPacket packet) {
+    if (packet.getLength() < Integer.BYTES) {
+      return Optional.empty();
+    }
+    int version = ByteBuffer.wrap(packet.getData(), packet.getOffset(), Integer.BYTES).getInt();
+    try {
+      MulticastAnnouncement announcement =
+          (version == 1 ? VERSION_1 : VERSION_2)
+              .decodeMulticastAnnouncement(packet, InvocationConstraints.EMPTY);
+      return HOST.matcher(announcement.getHost()).matches() && announcement.getPort() > 0
+          ? Optional.of(announcement)
+          : Optional.empty();
+    } catch (IOException | RuntimeException e) { // a stranger's datagram: there is nobody to tell
+      return Optional.empty();
+    }
+  }
+}

@@ -1,0 +1,435 @@
+package org.dfra.river.discovery;
+
+import com.sun.jini.discovery.MulticastAnnouncement;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationException;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
+import org.dfra.river.discovery.AnnouncedHosts.Place;
+import org.dfra.river.discovery.UnicastDiscovery.Answer;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds the lookup services of some groups by multicast, until it is closed. It stands for River's
+ * {@code LookupDiscovery}, whose configuration entries it takes, and which a hundred false
+ * announcements a second delay by seconds: whom to ask, and how many at once, is up to {@link
+ * AnnouncedHosts}, and {@link UnicastDiscovery} reads the answers.
+ *
+ * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
+ * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; one {@code
+ * dfra-discovery-check}, which asks those that were found for their groups, where these may have
+ * changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
+ * ResponseListener}.
+ */
+public final class MulticastSearch implements AutoCloseable {
+
+  /** Receives what is found and lost, one after the other, on the search's timer thread. */
+  public interface Listener {
+
+    /** A lookup service was found. */
+    void found(ServiceRegistrar registrar);
+
+    /** A lookup service does not answer any more, or left the groups. Not after a discard. */
+    void lost(ServiceRegistrar registrar);
+  }
+
+  private static final class Found {
+    final ServiceRegistrar registrar;
+    final String host;
+    Collection<String> groups; // guarded by the search, as the following
+    long seenAt;
+    long checkedAt;
+
+    Found(ServiceRegistrar registrar, String host, Collection<String> groups, long now) {
+      this.registrar = registrar;
+      this.host = host;
+      this.groups = groups;
+      this.seenAt = now;
+      this.checkedAt = now;
+    }
+  }
+
+  private static final Logger LOG = LoggerFactory.getLogger(MulticastSearch.class);
+
+  /** Of an unknown host: how long its connection may take, and then its answer. */
+  private static final Duration PATIENCE = Duration.ofSeconds(1);
+
+  /** Of a host that answered before. */
+  private static final Duration KNOWN_PATIENCE = Duration.ofSeconds(2);
+
+  /** So many announcements may be missed. */
+  private static final int MISSED = 3;
+
+  /** A lookup service is asked for its groups once in this time at the most. */
+  private static final Duration BETWEEN_CHECKS = Duration.ofSeconds(5);
+
+  /** Most probes at once of those that answer requests. */
+  private static final int RESPONSES = AnnouncedHosts.PROBES / 2;
+
+  private final MulticastSettings settings;
+  private final Listener listener;
+  private final AnnouncedHosts hosts = new AnnouncedHosts(System::nanoTime);
+  private final Map<ServiceID, Found> found = new LinkedHashMap<>(); // guarded by this
+  private final DiscoveryThreads threads = DiscoveryThreads.begin();
+  private final RequestRounds requests;
+  private final @Nullable AnnouncementListener announcements;
+  private @Nullable Set<String> groups; // guarded by this; null for all
+  private int probing; // guarded by this
+  private int responding; // guarded by this: those of probing that answer a request
+  private @Nullable Future<?> wakeUp; // guarded by this
+  private boolean closed; // guarded by this
+
+  /**
+   * Begins to search.
+   *
+   * @param groups the groups; null for all
+   * @param configuration entries of {@code net.jini.discovery.LookupDiscovery}
+   * @throws IOException if multicast cannot be used
+   * @throws ConfigurationException if an entry is wrong
+   */
+  public MulticastSearch(
+      String @Nullable [] groups, Configuration configuration, Listener listener)
+      throws IOException, ConfigurationException {
+    this(groups, MulticastSettings.of(configuration), listener);
+  }
+
+  MulticastSearch(String @Nullable [] groups, MulticastSettings settings, Listener listener)
+      throws IOException {
+    this.settings = settings;
+    this.listener = listener;
+    this.groups = groups == null ? null : new HashSet<>(List.of(groups));
+    this.requests = new RequestRounds(settings, threads.timer(), this::identities, this::dispatch);
+    boolean isDisabled = settings.interfaces().isEmpty();
+    this.announcements = isDisabled ? null : new AnnouncementListener(settings, this::received);
+    if (announcements != null) {
+      try {
+        announcements.start();
+        every(settings.announcementInterval(), this::checkSilent);
+        every(settings.interfaceRetry(), announcements::join);
+        if (groups == null || groups.length > 0) {
+          requests.begin(groups == null ? List.of() : List.of(groups));
+        }
+      } catch (IOException e) {
+        close();
+        throw e;
+      }
+    }
+  }
+
+  private void every(Duration interval, Runnable task) {
+    long millis = Math.max(1, interval.toMillis());
+    Future<?> unused =
+        threads.timer().scheduleWithFixedDelay(task, millis, millis, TimeUnit.MILLISECONDS);
+  }
+
+  private synchronized Collection<ServiceID> identities() {
+    return List.copyOf(found.keySet());
+  }
+
+  // Groups.
+
+  /** The groups, none of them twice; null for all. */
+  public synchronized String @Nullable [] getGroups() {
+    return groups == null ? null : groups.toArray(String[]::new);
+  }
+
+  /**
+   * Searches for members of these too.
+   *
+   * @throws UnsupportedOperationException if it searches for all
+   * @throws IOException if multicast cannot be used
+   */
+  public synchronized void addGroups(String[] more) throws IOException {
+    Set<String> all = someGroups();
+    Set<String> added = new HashSet<>(List.of(more));
+    added.removeAll(all);
+    all.addAll(added);
+    if (!added.isEmpty()) {
+      requests.begin(List.copyOf(added));
+    }
+  }
+
+  /**
+   * Searches for members of these and no others; lookup services that are members of none are
+   * lost.
+   *
+   * @param wanted the groups; null for all
+   * @throws IOException if multicast cannot be used
+   */
+  public synchronized void setGroups(String @Nullable [] wanted) throws IOException {
+    if (wanted == null) {
+      boolean isNew = groups != null;
+      groups = null;
+      if (isNew) {
+        requests.begin(List.of());
+      }
+      return;
+    }
+    Set<String> added = new HashSet<>(List.of(wanted));
+    if (groups != null) {
+      added.removeAll(groups);
+    }
+    groups = new HashSet<>(List.of(wanted));
+    if (!added.isEmpty()) {
+      requests.begin(List.copyOf(added));
+    }
+    loseUnwanted();
+  }
+
+  /**
+   * Searches for members of these no more; lookup services that are members of no other group are
+   * lost.
+   *
+   * @throws UnsupportedOperationException if it searches for all
+   */
+  public synchronized void removeGroups(String[] unwanted) {
+    someGroups().removeAll(List.of(unwanted));
+    loseUnwanted();
+  }
+
+  private Set<String> someGroups() {
+    Set<String> some = groups;
+    if (some == null) {
+      throw new UnsupportedOperationException(
+          "all groups are searched for; set the groups that are wanted instead");
+    }
+    return some;
+  }
+
+  private boolean isWanted(Collection<String> of) {
+    Set<String> wanted = groups;
+    return wanted == null || of.stream().anyMatch(wanted::contains);
+  }
+
+  private void loseUnwanted() {
+    for (Found each : List.copyOf(found.values())) {
+      if (!isWanted(each.groups)) {
+        lose(each);
+      }
+    }
+  }
+
+  // Announcements, on the thread that receives them.
+
+  /** A datagram has come. For tests too. */
+  void received(DatagramPacket packet) {
+    Optional<MulticastAnnouncement> announcement = DiscoveryPackets.announcement(packet);
+    announcement.ifPresent(each -> announced(each, packet.getAddress()));
+  }
+
+  private void announced(MulticastAnnouncement announcement, InetAddress from) {
+    ServiceID id = announcement.getServiceID();
+    List<String> members = List.of(announcement.getGroups());
+    String host = announcement.getHost();
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      Found known = found.get(id);
+      if (known != null && known.host.equals(host)) {
+        known.seenAt = System.nanoTime();
+        if (!Set.copyOf(members).equals(Set.copyOf(known.groups))) {
+          check(known);
+        }
+      }
+      if (known == null && !isWanted(members)) {
+        return;
+      }
+    }
+    hosts.announced(
+        new Place(host, announcement.getPort()), id, from.getHostAddress().equals(host));
+    dispatch();
+  }
+
+  // Probes.
+
+  /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
+  private synchronized void dispatch() {
+    while (!closed && probing < AnnouncedHosts.PROBES) {
+      Optional<Socket> answer = responding >= RESPONSES ? Optional.empty() : requests.next();
+      Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next();
+      if (answer.isPresent()) {
+        probing++;
+        responding++;
+        threads.probes().execute(() -> probe(answer.get()));
+      } else if (place.isPresent()) {
+        probing++;
+        threads.probes().execute(() -> probe(place.get()));
+      } else {
+        break;
+      }
+    }
+    if (wakeUp != null) {
+      wakeUp.cancel(false);
+      wakeUp = null;
+    }
+    if (!closed) {
+      hosts
+          .untilNext()
+          .ifPresent(
+              nanos ->
+                  wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
+    }
+  }
+
+  private void probe(Place place) {
+    @Nullable ServiceID id = null;
+    try {
+      Duration patience = hosts.isKnown(place) ? KNOWN_PATIENCE : PATIENCE;
+      Answer answer = UnicastDiscovery.ask(place.host(), place.port(), patience);
+      id = hold(answer, place.host()) ? answer.registrar().getServiceID() : null;
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      LOG.debug("No lookup service at {}, where one is announced.", place, e);
+    } finally {
+      if (id == null) {
+        hosts.failed(place);
+      } else {
+        hosts.succeeded(place, id);
+      }
+      ended(false);
+    }
+  }
+
+  private void probe(Socket answering) {
+    try (answering) {
+      boolean unused =
+          hold(
+              UnicastDiscovery.ask(answering, PATIENCE),
+              answering.getInetAddress().getHostAddress());
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      LOG.debug("A request was answered by something else than a lookup service.", e);
+    } finally {
+      ended(true);
+    }
+  }
+
+  private void ended(boolean wasResponse) {
+    synchronized (this) {
+      probing--;
+      responding -= wasResponse ? 1 : 0;
+    }
+    dispatch();
+  }
+
+  /** Takes what answered, if it is wanted; false if not. */
+  private boolean hold(Answer answer, String host) throws RemoteException {
+    synchronized (this) {
+      if (!isWanted(answer.groups())) {
+        return false;
+      }
+    }
+    if (!(settings.preparer().prepareProxy(answer.registrar())
+        instanceof ServiceRegistrar registrar)) {
+      return false;
+    }
+    ServiceID id = registrar.getServiceID();
+    synchronized (this) {
+      if (closed
+          || !isWanted(answer.groups())
+          || (found.size() >= AnnouncedHosts.REMEMBERED && !found.containsKey(id))) {
+        return false;
+      }
+      hosts.found(id);
+      Found held = new Found(registrar, host, answer.groups(), System.nanoTime());
+      if (found.putIfAbsent(id, held) == null) {
+        threads.timer().execute(() -> listener.found(registrar));
+      }
+      return true;
+    }
+  }
+
+  // What was found.
+
+  /** Whether this lookup service is found now. */
+  public synchronized boolean holds(ServiceID id) {
+    return found.containsKey(id);
+  }
+
+  /** Forgets a lookup service, because it does not answer, and looks for it again. */
+  public void discard(ServiceRegistrar registrar) {
+    ServiceID id = registrar.getServiceID();
+    synchronized (this) {
+      if (found.remove(id) == null) {
+        return;
+      }
+    }
+    hosts.lost(id);
+    dispatch();
+  }
+
+  private void lose(Found lost) {
+    ServiceID id = lost.registrar.getServiceID();
+    if (found.remove(id, lost)) {
+      hosts.lost(id);
+      threads.timer().execute(() -> listener.lost(lost.registrar));
+    }
+  }
+
+  /** Asks those of which nothing was seen for a while. On the timer's thread. */
+  private synchronized void checkSilent() {
+    long longest = settings.announcementInterval().multipliedBy(MISSED).toNanos();
+    long now = System.nanoTime();
+    found.values().stream().filter(each -> now - each.seenAt > longest).forEach(this::check);
+  }
+
+  /** Has a lookup service asked for its groups, unless it was just now. */
+  private synchronized void check(Found which) {
+    long now = System.nanoTime();
+    if (!closed && now - which.checkedAt > BETWEEN_CHECKS.toNanos()) {
+      which.checkedAt = now;
+      threads.checks().execute(() -> askForGroups(which));
+    }
+  }
+
+  private void askForGroups(Found which) {
+    try {
+      List<String> actual = List.of(which.registrar.getGroups());
+      synchronized (this) {
+        which.groups = actual;
+        which.seenAt = System.nanoTime();
+        if (!closed && !isWanted(actual)) {
+          lose(which);
+        }
+      }
+    } catch (RemoteException | RuntimeException e) {
+      LOG.debug("A lookup service does not answer any more.", e);
+      synchronized (this) {
+        if (!closed) {
+          lose(which);
+        }
+      }
+      dispatch();
+    }
+  }
+
+  /** Ends the search. Probes that are under way end by their deadlines. Idempotent. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+      found.clear();
+    }
+    requests.close();
+    threads.end();
+    if (announcements != null) {
+      announcements.close();
+    }
+  }
+}

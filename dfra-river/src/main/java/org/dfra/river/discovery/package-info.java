@@ -1,0 +1,19 @@
+/**
+ * Discovery: how lookup services are found on the network, by readers that a stranger's answer
+ * cannot exhaust.
+ *
+ * <pre>
+ *   announcements, UDP ---&gt; AnnouncedHosts ---\
+ *                                              +--&gt; UnicastDiscovery, 4 at once --&gt; registrars
+ *   answers to requests ---&gt; ResponseListener -/        ^
+ *                                                       |
+ *   locators (package lookup) --------------------------+
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.river.discovery.UnicastDiscovery} for one known host, at {@link
+ * org.dfra.river.discovery.MulticastSearch} for groups.
+ */
+@NullMarked
+package org.dfra.river.discovery;
+
+import org.jspecify.annotations.NullMarked;

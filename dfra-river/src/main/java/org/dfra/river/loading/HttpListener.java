@@ -1,0 +1,212 @@
+package org.dfra.river.loading;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Accepts the connections of a {@link ClassServer} and answers one HTTP request on each.
+ *
+ * <p>No client can take what others need: an address has at most {@value #PER_ADDRESS} connections
+ * at a time, all together {@value #CONNECTIONS}, each with one thread. A request must have arrived
+ * whole within 2 s of its connection, however slowly its bytes come, and the answer must have been
+ * taken within 60 s. Where all places are taken, a new client gets the place of the oldest request
+ * that is still incomplete. The JDK's own server can limit none of this per address.
+ */
+final class HttpListener implements AutoCloseable {
+
+  static final int PER_ADDRESS = 8;
+  static final int CONNECTIONS = 64;
+
+  /** One accepts; a replaced connection's thread may take a moment to end. */
+  private static final int THREADS = CONNECTIONS + 16;
+
+  private static final Duration REQUEST = Duration.ofSeconds(2);
+  private static final Duration ANSWER = Duration.ofSeconds(60);
+
+  private static final Logger LOG = LoggerFactory.getLogger(HttpListener.class);
+
+  private final ServerSocket listening;
+  private final HttpAnswers answers;
+  private final ThreadPoolExecutor threads;
+  private final ScheduledThreadPoolExecutor deadlines;
+  private final Set<HttpConnection> open = new LinkedHashSet<>(); // guarded by itself, oldest first
+  private final Map<InetAddress, Integer> byAddress = new HashMap<>(); // guarded by open
+
+  /**
+   * Listens from now on.
+   *
+   * @throws IOException if the address cannot be listened on
+   */
+  HttpListener(InetSocketAddress address, HttpAnswers answers) throws IOException {
+    this.answers = answers;
+    listening = new ServerSocket();
+    try {
+      listening.setReuseAddress(true);
+      listening.bind(address, CONNECTIONS);
+    } catch (IOException | RuntimeException e) {
+      listening.close();
+      throw e;
+    }
+    ThreadFactory named = named();
+    deadlines = new ScheduledThreadPoolExecutor(1, named);
+    deadlines.setRemoveOnCancelPolicy(true);
+    threads =
+        new ThreadPoolExecutor(
+            0, THREADS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), named);
+    threads.execute(this::accept);
+  }
+
+  private static ThreadFactory named() {
+    AtomicInteger number = new AtomicInteger();
+    return task -> {
+      Thread thread = Executors.defaultThreadFactory().newThread(task);
+      thread.setName("class server " + number.incrementAndGet());
+      thread.setDaemon(true);
+      return thread;
+    };
+  }
+
+  /** The TCP port it listens on. */
+  int port() {
+    return listening.getLocalPort();
+  }
+
+  /** Listens no more and ends what is under way. Does nothing if it was closed. */
+  @Override
+  public void close() {
+    try {
+      listening.close();
+    } catch (IOException e) {
+      LOG.warn("The class server's port {} could not be closed.", port(), e);
+    }
+    List<HttpConnection> ending;
+    synchronized (open) {
+      ending = new ArrayList<>(open);
+    }
+    ending.forEach(HttpConnection::abort);
+    threads.shutdownNow();
+    deadlines.shutdownNow();
+  }
+
+  private void accept() {
+    while (!listening.isClosed()) {
+      try {
+        serve(listening.accept());
+      } catch (SocketException e) {
+        if (listening.isClosed()) {
+          return;
+        }
+        LOG.warn("The class server could not accept a connection; it goes on.", e);
+        pause();
+      } catch (IOException | RejectedExecutionException e) {
+        if (!listening.isClosed()) {
+          LOG.warn("The class server could not serve a connection; it goes on.", e);
+          pause();
+        }
+      }
+    }
+  }
+
+  /** So that a lack of descriptors does not become a lack of processor time too. */
+  private void pause() {
+    try {
+      if (deadlines.awaitTermination(50, TimeUnit.MILLISECONDS)) {
+        LOG.debug("The class server ended while it could not accept.");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void serve(Socket socket) throws IOException {
+    HttpConnection connection = new HttpConnection(socket, answers, this::left);
+    if (!admit(connection)) {
+      connection.abort();
+      return;
+    }
+    try {
+      connection.endsBy(
+          deadlines.schedule(connection::requestIsDue, REQUEST.toMillis(), TimeUnit.MILLISECONDS),
+          deadlines.schedule(connection::abort, ANSWER.toMillis(), TimeUnit.MILLISECONDS));
+      threads.execute(connection);
+    } catch (RejectedExecutionException e) { // it is being closed
+      connection.abort();
+      left(connection);
+      throw e;
+    } catch (OutOfMemoryError e) { // no thread can be had
+      connection.abort();
+      left(connection);
+      throw new IOException("no thread can be had for " + connection.address(), e);
+    }
+  }
+
+  /** Whether it may stay; the oldest incomplete request may have to go for it. */
+  private boolean admit(HttpConnection connection) {
+    @Nullable HttpConnection replaced = null;
+    synchronized (open) {
+      int same = byAddress.getOrDefault(connection.address(), 0);
+      if (same >= PER_ADDRESS) {
+        return false;
+      }
+      if (open.size() >= CONNECTIONS) {
+        replaced = oldestIncomplete(open);
+        if (replaced == null) {
+          return false;
+        }
+        remove(replaced);
+      }
+      open.add(connection);
+      byAddress.put(connection.address(), same + 1);
+    }
+    if (replaced != null) {
+      replaced.abort();
+    }
+    return true;
+  }
+
+  private static @Nullable HttpConnection oldestIncomplete(
+      Collection<HttpConnection> connections) {
+    for (HttpConnection each : connections) {
+      if (!each.isComplete()) {
+        return each;
+      }
+    }
+    return null;
+  }
+
+  private void left(HttpConnection connection) {
+    synchronized (open) {
+      remove(connection);
+    }
+  }
+
+  private void remove(HttpConnection connection) {
+    if (open.remove(connection)) {
+      byAddress.merge(connection.address(), -1, Integer::sum);
+      byAddress.remove(connection.address(), 0);
+    }
+  }
+}

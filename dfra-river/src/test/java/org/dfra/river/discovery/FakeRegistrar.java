@@ -1,0 +1,85 @@
+package org.dfra.river.discovery;
+
+import java.io.Serializable;
+import java.rmi.MarshalledObject;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.event.EventRegistration;
+import net.jini.core.event.RemoteEventListener;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
+import net.jini.core.lookup.ServiceMatches;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceRegistration;
+import net.jini.core.lookup.ServiceTemplate;
+
+/** A lookup service's proxy that knows who and of which group it is, and nothing else. */
+final class FakeRegistrar implements ServiceRegistrar, Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  private final long id;
+  private final String group;
+
+  FakeRegistrar(long id, String group) {
+    this.id = id;
+    this.group = group;
+  }
+
+  @Override
+  public ServiceID getServiceID() {
+    return new ServiceID(0, id);
+  }
+
+  @Override
+  public String[] getGroups() {
+    return new String[] {group};
+  }
+
+  @Override
+  public LookupLocator getLocator() {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public ServiceRegistration register(ServiceItem item, long millis) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public Object lookup(ServiceTemplate template) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public ServiceMatches lookup(ServiceTemplate template, int most) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  public EventRegistration notify(
+      ServiceTemplate template,
+      int transitions,
+      RemoteEventListener listener,
+      MarshalledObject handback,
+      long millis) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  public Class[] getEntryClasses(ServiceTemplate template) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public Object[] getFieldValues(ServiceTemplate template, int set, String field) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  public Class[] getServiceTypes(ServiceTemplate template, String prefix) {
+    throw new UnsupportedOperationException();
+  }
+}

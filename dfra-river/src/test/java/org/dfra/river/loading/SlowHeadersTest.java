@@ -1,0 +1,142 @@
+package org.dfra.river.loading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Clients that begin requests and never end them, against a {@link ClassServer}. */
+@Timeout(60)
+class SlowHeadersTest {
+
+  private static final String HOST = InetAddress.getLoopbackAddress().getHostAddress();
+  private static final byte[] JAR = "the jar".getBytes(StandardCharsets.UTF_8);
+
+  @TempDir private Path folder;
+  private ClassServer server;
+  private final List<Socket> sockets = new ArrayList<>();
+
+  @BeforeEach
+  void start() throws IOException {
+    Files.write(folder.resolve("a.jar"), JAR);
+    server = new ClassServer(HOST, 0, folder, List.of("a.jar"));
+    server.start();
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+    server.close();
+  }
+
+  @Test
+  void endsARequestThatDoesNotArriveInTime() throws Exception {
+    Socket slow = begin("127.0.0.1");
+
+    assertThat(isEnded(slow)).isTrue();
+
+    assertThat(download()).isEqualTo(JAR);
+  }
+
+  @Test
+  void leavesPlacesForOthersBesideOneAddressThatTakesAllItCan() throws Exception {
+    assumeThat(hasAddress("127.0.0.66")).as("other addresses of 127/8 can be used").isTrue();
+    int refused = 0;
+    for (int i = 0; i < HttpListener.PER_ADDRESS + 8; i++) {
+      begin("127.0.0.66");
+    }
+    assertThat(download()).isEqualTo(JAR);
+    for (Socket socket : sockets) {
+      refused += isEnded(socket) ? 1 : 0;
+    }
+    assertThat(refused).isEqualTo(HttpListener.PER_ADDRESS + 8);
+    assertThat(download()).isEqualTo(JAR);
+  }
+
+  @Test
+  void givesTheOldestIncompleteRequestsPlaceToANewClientWhereAllAreTaken() throws Exception {
+    assumeThat(hasAddress("127.0.0.66")).as("other addresses of 127/8 can be used").isTrue();
+    int addresses = HttpListener.CONNECTIONS / HttpListener.PER_ADDRESS;
+    for (int i = 0; i < HttpListener.CONNECTIONS; i++) {
+      begin("127.0.1." + (1 + i % addresses));
+    }
+
+    assertThat(download()).isEqualTo(JAR);
+
+    assertThat(isEnded(sockets.get(0))).isTrue();
+  }
+
+  @Test
+  void refusesHeadersWithoutEnd() throws Exception {
+    Socket socket = begin("127.0.0.1");
+    socket.getOutputStream().write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
+    String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+
+    assertThat(answer).startsWith("HTTP/1.1 431 ");
+  }
+
+  private byte[] download() throws Exception {
+    return HttpClient.newHttpClient()
+        .send(
+            HttpRequest.newBuilder(URI.create("http://" + HOST + ":" + server.port() + "/a.jar"))
+                .timeout(Duration.ofSeconds(30))
+                .build(),
+            HttpResponse.BodyHandlers.ofByteArray())
+        .body();
+  }
+
+  private Socket begin(String from) throws IOException {
+    Socket socket = new Socket();
+    sockets.add(socket);
+    socket.bind(new InetSocketAddress(from, 0));
+    socket.connect(new InetSocketAddress(HOST, server.port()));
+    socket.setSoTimeout(30_000);
+    try {
+      socket.getOutputStream().write("GET /a.jar HTTP/1.1\r\n".getBytes(StandardCharsets.US_ASCII));
+    } catch (SocketException e) {
+      assertThat(e).hasMessageMatching("(?i).*(reset|broken pipe).*"); // it was not admitted
+    }
+    return socket;
+  }
+
+  /** Waits until the server ends it. */
+  private static boolean isEnded(Socket socket) throws IOException {
+    try {
+      InputStream in = socket.getInputStream();
+      return in.read() < 0;
+    } catch (SocketException e) { // ended with a reset, since bytes were unread
+      return true;
+    }
+  }
+
+  private static boolean hasAddress(String address) {
+    try (Socket socket = new Socket()) {
+      socket.bind(new InetSocketAddress(address, 0));
+      return true;
+    } catch (IOException e) { // only Linux has all of 127/8
+      return false;
+    }
+  }
+}

@@ -1,0 +1,289 @@
+package org.dfra.attack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.jini.discovery.Discovery;
+import com.sun.jini.discovery.EncodeIterator;
+import com.sun.jini.discovery.MulticastAnnouncement;
+import com.sun.jini.discovery.MulticastAnnouncementDecoder;
+import com.sun.jini.discovery.MulticastAnnouncementEncoder;
+import com.sun.jini.discovery.MulticastRequest;
+import com.sun.jini.discovery.MulticastRequestDecoder;
+import com.sun.jini.discovery.MulticastRequestEncoder;
+import com.sun.jini.discovery.UnicastDiscoveryClient;
+import com.sun.jini.discovery.UnicastDiscoveryServer;
+import com.sun.jini.discovery.plaintext.Client;
+import com.sun.jini.discovery.plaintext.Server;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.net.DatagramPacket;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.lookup.ServiceID;
+import net.jini.export.Exporter;
+import net.jini.jeri.BasicILFactory;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.app.bench.attack.CallBytes;
+import org.dfra.app.bench.attack.RawCall;
+import org.dfra.app.bench.attack.RawCall.Status;
+import org.dfra.app.bench.attack.Rebased;
+import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.example.thermometer.RemoteThermometer;
+import org.dfra.module.LogLevel;
+import org.dfra.module.Readiness;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.dfra.testing.EmbeddedReggie;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Valid messages, changed at random, are sent to a robot: no thread of it ends, it keeps no memory,
+ * and it still does its work.
+ *
+ * <p>Short: 300 of each kind. {@code dfra.full}: 10 000. {@code dfra.soak}: a million. {@code
+ * -Ddfra.seed=n} repeats a run.
+ */
+@Timeout(value = 6, unit = TimeUnit.HOURS)
+class FuzzIT {
+
+  private static final boolean SOAK = Boolean.getBoolean("dfra.soak");
+  private static final boolean FULL = SOAK || Boolean.getBoolean("dfra.full");
+  private static final int COUNT = SOAK ? 1_000_000 : FULL ? 10_000 : 300;
+
+  /** So many come before memory is measured: classes are loaded, pools filled. */
+  private static final int WARM_UP = 100;
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final int PACKET = 512;
+
+  /** Of threads that pools keep for a while. */
+  private static final int POOLED = Victim.THREADS;
+
+  @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
+
+  @TempDir Path folder;
+
+  private final long seed = Long.getLong("dfra.seed", new Random().nextLong());
+  private final Random random = new Random(seed);
+  private final String repeat = "-Ddfra.seed=" + seed;
+
+  @Test
+  void aServedModuleSurvivesChangedCalls() throws Exception {
+    AttackHosts hosts = AttackHosts.assumed();
+    ByteMutator mutator = new ByteMutator(random, List.of(hosts.robot(), hosts.attacker()));
+    RemoteModuleListener listener = delivery -> {};
+    Exporter exporter =
+        new BasicJeriExporter(
+            hosts.attackerSockets().serverEndpoint(), new BasicILFactory(), false, true);
+    try (TaskProcess robot = robot(hosts.robot())) {
+      RemoteThermometer module = module(robot, hosts);
+      List<byte[]> calls = calls((RemoteModuleListener) exporter.export(listener));
+      for (byte[] call : calls) {
+        assertThat(send(module, call)).as("an unchanged call").isNotEqualTo(Status.ABORTED);
+      }
+      sendChanged(WARM_UP, module, calls, mutator);
+      Victim victim = Victim.of(robot.pid());
+      sendChanged(COUNT, module, calls, mutator);
+      victim.assertRecovers(POOLED, Victim.HEAP);
+      assertThat(module.readiness()).as(repeat).isEqualTo(Readiness.READY);
+      assertThat(module.celsius()).as(repeat).isBetween(-273.15, 1000.0);
+      assertNoThreadDied(robot);
+    } finally {
+      exporter.unexport(true);
+    }
+  }
+
+  @Test
+  void aClientSurvivesChangedAnswersOfDiscovery() throws Exception {
+    ByteMutator mutator = new ByteMutator(random, List.of(EmbeddedReggie.HOST));
+    try (TaskProcess robot = robot(EmbeddedReggie.HOST);
+        AnswerFuzzer fuzzer = new AnswerFuzzer(EmbeddedReggie.HOST, REGGIE.port(), mutator)) {
+      robot.write("discover " + fuzzer.locator());
+      long patience = PATIENCE.toSeconds() + COUNT / 10;
+      fuzzer.awaitAnswers(WARM_UP, patience);
+      Victim victim = Victim.of(robot.pid());
+      fuzzer.awaitAnswers(WARM_UP + COUNT, patience);
+      fuzzer.beHonest();
+      robot.write("stop");
+      ServiceID honest = REGGIE.registrar().getServiceID();
+      assertThat(robot.awaitLine("found", PATIENCE)).as(repeat).isEqualTo("found " + honest);
+      victim.assertRecovers(POOLED, Victim.HEAP);
+      assertNoThreadDied(robot);
+    }
+  }
+
+  /**
+   * In this process: the threads that read datagrams catch every exception, but no error. So an
+   * error would end them.
+   */
+  @Test
+  void parsersOfDatagramsThrowNothingButExceptions() throws IOException {
+    ByteMutator mutator = new ByteMutator(random, List.of(EmbeddedReggie.HOST));
+    List<Discovery> protocols = List.of(Discovery.getProtocol1(), plaintext());
+    List<byte[]> datagrams = new ArrayList<>();
+    for (Discovery protocol : protocols) {
+      datagrams.add(first(protocol.encodeMulticastRequest(request(), PACKET, none())));
+      datagrams.add(first(protocol.encodeMulticastAnnouncement(announcement(), PACKET, none())));
+      assertThat(parses(datagrams.get(datagrams.size() - 2))).as("an unchanged request").isTrue();
+      assertThat(parses(datagrams.get(datagrams.size() - 1))).as("an announcement").isTrue();
+    }
+    int refused = 0;
+    for (int i = 0; i < COUNT; i++) {
+      byte[] changed = mutator.mutate(datagrams.get(random.nextInt(datagrams.size())));
+      try {
+        refused += parses(changed) ? 0 : 1;
+      } catch (Error e) {
+        throw new AssertionError("datagram " + i + ", " + repeat, e);
+      }
+    }
+    assertThat(refused).as("datagrams refused; %s", repeat).isBetween(1, COUNT - 1);
+  }
+
+  private TaskProcess robot(String host) throws IOException, InterruptedException {
+    TaskProcess robot = TaskProcess.start(FuzzedRobot.class, host, file().toString());
+    try {
+      String unused = robot.awaitLine("serves", PATIENCE);
+      return robot;
+    } catch (IOException e) {
+      robot.close();
+      throw e;
+    }
+  }
+
+  private Path file() {
+    return folder.resolve("module.ser");
+  }
+
+  private RemoteThermometer module(TaskProcess robot, AttackHosts hosts) throws Exception {
+    try (ObjectInputStream in = new ObjectInputStream(Files.newInputStream(file()))) {
+      return Rebased.of((RemoteThermometer) in.readObject(), hosts.attackerSockets());
+    } catch (IOException e) {
+      throw new IOException("the module of process " + robot.pid() + " cannot be read", e);
+    }
+  }
+
+  private static List<byte[]> calls(RemoteModuleListener listener) throws Exception {
+    Class<?> type = RemoteThermometer.class;
+    Class<Duration> duration = Duration.class;
+    return List.of(
+        CallBytes.of(type.getMethod("celsius")),
+        CallBytes.of(type.getMethod("readiness")),
+        CallBytes.of(type.getMethod("history")),
+        CallBytes.of(type.getMethod("parameters")),
+        CallBytes.of(type.getMethod("awaitReadiness", duration), Duration.ofMillis(1)),
+        CallBytes.of(type.getMethod("use", duration), Duration.ofMillis(100)),
+        CallBytes.of(type.getMethod("setLogLevel", LogLevel.class), LogLevel.INFO),
+        CallBytes.of(
+            type.getMethod("setParameter", String.class, String.class), "celsius", "21"),
+        CallBytes.of(
+            type.getMethod("subscribe", ModuleListener.class, DeliveryPolicy.class),
+            listener,
+            DeliveryPolicy.keepLast(10)));
+  }
+
+  private void sendChanged(
+      int count, RemoteThermometer module, List<byte[]> calls, ByteMutator mutator)
+      throws Exception {
+    for (int i = 0; i < count; i++) {
+      byte[] changed = mutator.mutate(calls.get(random.nextInt(calls.size())));
+      assertThat(send(module, changed)).as("call %d, %s", i, repeat).isNotEqualTo(Status.SILENT);
+    }
+  }
+
+  /** The server may refuse a request before it has all of it. */
+  private static Status send(RemoteThermometer module, byte[] bytes) throws Exception {
+    try (RawCall call = RawCall.to(module)) {
+      try {
+        return call.send(bytes).finish(PATIENCE).status();
+      } catch (IOException e) {
+        return Status.ABORTED;
+      }
+    }
+  }
+
+  private void assertNoThreadDied(TaskProcess robot) {
+    assertThat(robot.isAlive()).as("the robot's process; %s", repeat).isTrue();
+    assertThat(robot.lines())
+        .as("threads that ended; %s; %s", repeat, robot.log())
+        .noneMatch(line -> line.startsWith(FuzzedRobot.DIED));
+  }
+
+  private static InvocationConstraints none() {
+    return InvocationConstraints.EMPTY;
+  }
+
+  private static MulticastRequest request() {
+    return new MulticastRequest(
+        EmbeddedReggie.HOST, 4711, new String[] {"fuzz"}, new ServiceID[] {new ServiceID(1, 2)});
+  }
+
+  private static MulticastAnnouncement announcement() {
+    return new MulticastAnnouncement(
+        1, EmbeddedReggie.HOST, 4711, new String[] {"fuzz"}, new ServiceID(1, 2));
+  }
+
+  private static byte[] first(EncodeIterator packets) throws IOException {
+    DatagramPacket packet = packets.next()[0];
+    byte[] bytes = new byte[packet.getLength()];
+    System.arraycopy(packet.getData(), packet.getOffset(), bytes, 0, bytes.length);
+    return bytes;
+  }
+
+  /** Protocol 2 without the formats that need keys. */
+  private static Discovery plaintext() {
+    Client client = new Client();
+    Server server = new Server();
+    return Discovery.getProtocol2(
+        new MulticastRequestEncoder[] {client},
+        new MulticastRequestDecoder[] {server},
+        new MulticastAnnouncementEncoder[] {server},
+        new MulticastAnnouncementDecoder[] {client},
+        new UnicastDiscoveryClient[] {client},
+        new UnicastDiscoveryServer[] {server});
+  }
+
+  /** Whether any of the four parsers takes it. */
+  private static boolean parses(byte[] bytes) throws IOException {
+    boolean taken = false;
+    for (Discovery protocol : List.of(Discovery.getProtocol1(), plaintext())) {
+      taken |= isRequest(protocol, bytes);
+      taken |= isAnnouncement(protocol, bytes);
+    }
+    return taken;
+  }
+
+  private static boolean isRequest(Discovery protocol, byte[] bytes) throws IOException {
+    try {
+      return protocol.decodeMulticastRequest(packet(bytes), none(), null).getGroups() != null;
+    } catch (IOException | RuntimeException e) { // refused: the listener's thread catches both
+      return false;
+    }
+  }
+
+  private static boolean isAnnouncement(Discovery protocol, byte[] bytes) throws IOException {
+    try {
+      return protocol.decodeMulticastAnnouncement(packet(bytes), none()).getGroups() != null;
+    } catch (IOException | RuntimeException e) { // refused: the listener's thread catches both
+      return false;
+    }
+  }
+
+  /** As it is received: in a buffer for the longest. */
+  private static DatagramPacket packet(byte[] bytes) throws IOException {
+    byte[] buffer = new byte[Math.max(PACKET, bytes.length)];
+    System.arraycopy(bytes, 0, buffer, 0, bytes.length);
+    return new DatagramPacket(
+        buffer, 0, bytes.length, InetAddress.getByName(EmbeddedReggie.HOST), 4711);
+  }
+}
