@@ -1,0 +1,128 @@
+package org.dfra.attack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.sun.jini.discovery.MulticastTimeToLive;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.MulticastSocket;
+import java.net.NetworkInterface;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import net.jini.constraint.BasicMethodConstraints;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.discovery.Constants;
+import org.dfra.app.bench.attack.RogueAnnouncements;
+import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
+import org.dfra.river.discovery.MulticastSearch;
+import org.dfra.river.lookup.SuppliedConfiguration;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * A hundred lookup services a second are announced that do not exist; the one that does is found in
+ * time. No datagram leaves this computer.
+ */
+@Timeout(180)
+class RogueAnnouncementsIT {
+
+  /** The requirement. */
+  private static final Duration FOUND = Duration.ofMillis(1500);
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration LEASE = Duration.ofSeconds(30);
+
+  /** The best of some counts: what else runs on this computer delays the others. */
+  private static final int SEARCHES = 3;
+
+  private static final MethodConstraints LOCAL =
+      new BasicMethodConstraints(new InvocationConstraints(new MulticastTimeToLive(0), null));
+
+  @Test
+  void anHonestLookupServiceIsFoundBesideAHundredFalseOnesASecond() throws Exception {
+    assumeTrue(isMulticastPossible(), "this computer does not receive its own multicast");
+    AttackHosts hosts = AttackHosts.assumed();
+    String group = "attack-" + UUID.randomUUID();
+    NetworkInterface[] all = NetworkInterface.networkInterfaces().toArray(NetworkInterface[]::new);
+    try (EmbeddedRegistrar honest =
+            new EmbeddedRegistrar(
+                    hosts.robot(),
+                    0,
+                    List.of(group),
+                    LEASE,
+                    Map.of("multicastInterfaces", () -> all, "discoveryConstraints", () -> LOCAL))
+                .start();
+        TaskProcess rogue =
+            TaskProcess.start(
+                RogueAnnouncements.class,
+                hosts.attacker(),
+                hosts.robot(),
+                Integer.toString(honest.port()),
+                "0")) {
+      String unused = rogue.awaitLine("begins", PATIENCE);
+      Duration best = PATIENCE;
+      for (int i = 0; i < SEARCHES; i++) {
+        Duration took = search(group, honest.registrar());
+        best = took.compareTo(best) < 0 ? took : best;
+      }
+      assertThat(best).isLessThanOrEqualTo(FOUND);
+      rogue.write("");
+      assertThat(rogue.awaitLine("done", PATIENCE)).matches("done [1-9]\\d* 0 null");
+    }
+  }
+
+  private static Duration search(String group, ServiceRegistrar honest) throws Exception {
+    CompletableFuture<ServiceRegistrar> found = new CompletableFuture<>();
+    MulticastSearch.Listener listener =
+        new MulticastSearch.Listener() {
+          @Override
+          public void found(ServiceRegistrar registrar) {
+            found.complete(registrar);
+          }
+
+          @Override
+          public void lost(ServiceRegistrar registrar) {
+            found.completeExceptionally(new IOException("it was lost"));
+          }
+        };
+    long began = System.nanoTime();
+    try (MulticastSearch search =
+        new MulticastSearch(
+            new String[] {group},
+            new SuppliedConfiguration(
+                Map.of("net.jini.discovery.LookupDiscovery.discoveryConstraints", () -> LOCAL)),
+            listener)) {
+      ServiceRegistrar first = found.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+      Duration took = Duration.ofNanos(System.nanoTime() - began);
+      assertThat(first).isEqualTo(honest);
+      assertThat(search.holds(honest.getServiceID())).isTrue();
+      return took;
+    }
+  }
+
+  private static boolean isMulticastPossible() {
+    try (MulticastSocket receiver = new MulticastSocket();
+        MulticastSocket sender = new MulticastSocket()) {
+      InetAddress address = Constants.getRequestAddress();
+      receiver.joinGroup(
+          new InetSocketAddress(address, receiver.getLocalPort()), receiver.getNetworkInterface());
+      receiver.setSoTimeout(2_000);
+      sender.setTimeToLive(0);
+      sender.send(new DatagramPacket(new byte[1], 1, address, receiver.getLocalPort()));
+      receiver.receive(new DatagramPacket(new byte[1], 1));
+      return true;
+    } catch (IOException e) { // no route, no interface, or nothing came in time
+      return false;
+    }
+  }
+}
