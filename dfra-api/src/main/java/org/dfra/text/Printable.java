@@ -19,7 +19,10 @@ package org.dfra.text;
  */
 public final class Printable {
 
-  /** Longest name, and longest cell of a table, in UTF-16 code units. */
+  /** Longest word, in UTF-16 code units. */
+  public static final int LONGEST_WORD = 200;
+
+  /** Longest name, in UTF-16 code units. */
   public static final int LONGEST_NAME = 500;
 
   /** Longest line, in UTF-16 code units. */
@@ -39,7 +42,18 @@ public final class Printable {
   private Printable() {}
 
   /**
-   * A name, a cell of a table, or another short text, on one line.
+   * A name that has no blanks, such as that of a module: one that has some could be taken for a
+   * sentence, so they are escaped, too.
+   *
+   * @return at most {@value #LONGEST_WORD} code units, and an ellipsis where there were more
+   */
+  public static String word(String text) {
+    boolean isWord = text.indexOf(' ') < 0 && isPlain(text, LONGEST_WORD, "");
+    return isWord ? text : line(text, LONGEST_WORD, true);
+  }
+
+  /**
+   * A name, a title, or another short text, on one line.
    *
    * @return at most {@value #LONGEST_NAME} code units, and an ellipsis where there were more
    */
@@ -104,10 +118,16 @@ public final class Printable {
     return safe.toString();
   }
 
-  private static String line(String text, int longest) {
-    if (isPlain(text, longest, "")) {
-      return text;
-    }
+  /**
+   * A text on one line.
+   *
+   * @param longest most UTF-16 code units that are kept; an ellipsis stands for the others
+   */
+  public static String line(String text, int longest) {
+    return isPlain(text, longest, "") ? text : line(text, longest, false);
+  }
+
+  private static String line(String text, int longest, boolean isWord) {
     String whole = text.contains(NESTED) ? text.replace(NESTED + "\n\t", NESTED) : text;
     StringBuilder safe = new StringBuilder(Math.min(whole.length(), longest) + ROOM);
     int marks = 0;
@@ -116,7 +136,12 @@ public final class Printable {
       int c = whole.codePointAt(at);
       marks = isMark(c) ? marks + 1 : 0;
       int before = safe.length();
-      append(safe, c, marks > MOST_MARKS);
+      boolean isBlank = Character.getType(c) == Character.SPACE_SEPARATOR;
+      if (isBlank && !isWord) {
+        safe.append(' ');
+      } else {
+        append(safe, c, isBlank || marks > MOST_MARKS);
+      }
       if (safe.length() > longest) {
         safe.setLength(before);
         return safe.append(MORE).toString();
@@ -126,10 +151,8 @@ public final class Printable {
     return safe.toString();
   }
 
-  private static void append(StringBuilder safe, int c, boolean isOneTooMany) {
-    if (Character.getType(c) == Character.SPACE_SEPARATOR) {
-      safe.append(' ');
-    } else if (!isOneTooMany && !isHidden(c)) {
+  private static void append(StringBuilder safe, int c, boolean isEscaped) {
+    if (!isEscaped && !isHidden(c)) {
       safe.appendCodePoint(c);
     } else if (c == '\n') {
       safe.append("\\n");

@@ -17,6 +17,9 @@ public final class Table {
   private static final String GAP = "  ";
   private static final int WIDEST = 60;
 
+  /** Most of a cell that is shown, in UTF-16 code units. */
+  private static final int LONGEST_CELL = 2_000;
+
   private final List<String> headings;
   private final List<List<String>> rows = new ArrayList<>();
 
@@ -30,14 +33,14 @@ public final class Table {
   /**
    * Adds a row.
    *
-   * @param cells one for each column; they are made {@linkplain Printable#name printable}
+   * @param cells one for each column; they are made {@linkplain Printable printable}
    */
   public void row(String... cells) {
     if (cells.length != headings.size()) {
       throw new IllegalArgumentException(
           cells.length + " cells in a table of " + headings.size() + " columns");
     }
-    rows.add(Arrays.stream(cells).map(Printable::name).toList());
+    rows.add(Arrays.stream(cells).map(cell -> Printable.line(cell, LONGEST_CELL)).toList());
   }
 
   /** The lines, the headings first, however wide. */
