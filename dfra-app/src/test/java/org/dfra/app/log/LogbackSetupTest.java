@@ -165,6 +165,7 @@ class LogbackSetupTest {
         new LoggingEvent(
             "", context.getLogger(name), Level.WARN, "{} left", thrown, new Object[] {name});
     event.setThreadName(name);
+    event.setInstant(Instant.EPOCH);
     String text = new String(encoder.encode(event), Charset.defaultCharset());
     assertThat(text)
         .contains("WARN  [" + shown + "] ", ": " + shown + " left")
