@@ -22,8 +22,8 @@ import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
 /**
- * What is shown to people goes through {@link Printable}. Only the classes that are named here write
- * to a terminal or paint text; another one is reviewed, and then added.
+ * What is shown to people goes through {@link Printable}. Only the classes that are named here
+ * write to a terminal or paint text; another one is reviewed, and then added.
  */
 class PrintedTextRulesTest {
 
@@ -118,7 +118,6 @@ class PrintedTextRulesTest {
   void onlyTheseWriteTextIntoAPicture() {
     List<String> paint = List.of("drawString", "drawGlyphVector", "setTextContent");
     assertThat(thatAccess(access -> paint.contains(access.getTarget().getName())))
-        .containsExactlyInAnyOrder(
-            "org.dfra.app.plot.Letters", "org.dfra.app.plot.SvgCanvas");
+        .containsExactlyInAnyOrder("org.dfra.app.plot.Letters", "org.dfra.app.plot.SvgCanvas");
   }
 }

@@ -4,8 +4,8 @@ package org.dfra.text;
  * Text as it may be shown to people. A name or a message of another computer may hold characters
  * that control a terminal, begin a line of their own, change the direction of writing or cannot be
  * seen. Each is replaced by its code as Java and JSON write it: a backslash, the letter u and four
- * hexadecimal digits. The end of a line becomes {@code \n}, the return of the carriage {@code \r}, a
- * tabulator {@code \t}. All other text stays as it is, except that every kind of blank becomes a
+ * hexadecimal digits. The end of a line becomes {@code \n}, the return of the carriage {@code \r},
+ * a tabulator {@code \t}. All other text stays as it is, except that every kind of blank becomes a
  * plain one.
  *
  * <p>Escaped are control characters (C0, C1 and DEL), format characters (among them those that

@@ -2,6 +2,7 @@ package org.dfra.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Locale;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,7 +27,7 @@ class PrintableTest {
         0xe000, 0xf8ff, 0xffff, 0xd800, 0xdfff // private, unassigned, halves
       })
   void whatCannotBeSeenIsShownByItsCode(int c) {
-    String code = String.format("\\u%04x", c);
+    String code = String.format(Locale.ROOT, "\\u%04x", c);
     assertThat(Printable.line("a" + of(c) + "b")).isEqualTo("a" + code + "b");
     assertThat(Printable.name(of(c))).isEqualTo(code);
     assertThat(Printable.lines("x\n" + of(c) + "\ny")).isEqualTo("x\n" + code + "\ny");
@@ -92,8 +93,7 @@ class PrintableTest {
   @Test
   void marksDoNotCoverOtherLines() {
     String stacked = "e" + of(0x301).repeat(6);
-    assertThat(Printable.line(stacked))
-        .isEqualTo("e" + of(0x301).repeat(4) + "\\u0301\\u0301");
+    assertThat(Printable.line(stacked)).isEqualTo("e" + of(0x301).repeat(4) + "\\u0301\\u0301");
   }
 
   @Test
@@ -106,7 +106,9 @@ class PrintableTest {
         .endsWith("\\u001b…")
         .hasSizeLessThanOrEqualTo(Printable.LONGEST_NAME + 1);
     assertThat(Printable.line("ö".repeat(1_000_000))).hasSize(Printable.LONGEST_LINE + 1);
-    assertThat(Printable.name(of(0x1f916).repeat(400))).as("no half of a character").endsWith("🤖…");
+    assertThat(Printable.name("x" + of(0x1f916).repeat(400)))
+        .as("no half of a character")
+        .endsWith("🤖…");
   }
 
   /** Of any text, also of one that was printable already. */

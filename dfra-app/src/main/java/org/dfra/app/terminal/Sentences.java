@@ -40,7 +40,6 @@ public final class Sentences {
   }
 
   private static String folded(String line, int indent) {
-    return String.join(
-        System.lineSeparator(), Words.hanging(line, Terminal.textColumns(), indent));
+    return String.join(System.lineSeparator(), Words.hanging(line, Terminal.textColumns(), indent));
   }
 }

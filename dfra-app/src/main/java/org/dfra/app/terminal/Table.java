@@ -125,8 +125,8 @@ public final class Table {
   }
 
   /**
-   * A first cell, whose further lines begin to the right of the margin where there is room for that:
-   * part of a name must not be mistaken for a line of its own.
+   * A first cell, whose further lines begin to the right of the margin where there is room: part of
+   * a name must not be mistaken for a line of its own.
    */
   private static List<String> indented(String cell, int width) {
     List<String> pieces = Words.folded(cell, width);
