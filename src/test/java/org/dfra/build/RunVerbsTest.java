@@ -240,6 +240,21 @@ class RunVerbsTest {
   }
 
   @Test
+  void stopsWhileTestsRun() throws Exception {
+    dfra("build");
+    Files.writeString(source, "version 2\n");
+    Files.createFile(tools.resolve("hold"));
+    Process tests = start("test");
+    await().atMost(PATIENCE).until(() -> builds() == 2);
+    assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
+    assertThat(dfra("status")).isEqualTo(OLDER + "runs version 1\n");
+    assertThat(tests.isAlive()).as("the tests are held up").isTrue();
+    Files.delete(tools.resolve("hold"));
+    assertThat(ended(tests)).isTrue();
+    assertThat(said(tests)).startsWith("dfra: testing on Java 17 at ");
+  }
+
+  @Test
   void stopsWhereNothingCanBeBuilt() throws Exception {
     dfra("build");
     Files.writeString(source, "version 2\n");

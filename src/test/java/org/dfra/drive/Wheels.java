@@ -51,6 +51,11 @@ public final class Wheels implements AutoCloseable {
     return Objects.requireNonNull(controller.lastMotion(), "no command has come");
   }
 
+  /** When the first order to halt came since; null while none has. */
+  @Nullable Instant firstHalt() {
+    return controller.firstHalt();
+  }
+
   /** Waits until nobody has commanded for a second and the wheels stand. */
   public void assertTheyStoodWithinHalfASecondOfTheLastCommand() {
     await()

@@ -161,7 +161,7 @@ final class TeamSurvey
   }
 
   /** By the first of a robot's modules that tells. */
-  private static ClockOffset offset(List<Module> modules) throws Exception {
+  static ClockOffset offset(List<Module> modules) throws Exception {
     @Nullable Exception failure = null;
     for (Module module : modules) {
       try {

@@ -12,6 +12,7 @@ import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Seen;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.app.team.Unanswered;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.directory.ModuleListing;
@@ -62,12 +63,12 @@ final class ListCommand implements Callable<Integer> {
           for (LeaseStatus lease : Administration.of(each).leases()) {
             leases.add(LeaseView.of(path, lease, holders.of(lease.id())));
           }
-        } catch (RemoteException e) {
+        } catch (RemoteException | RuntimeException | LinkageError e) { // a foreign proxy's own
           if (module != null) {
             throw e;
           }
           silent++;
-          options.answer().remark(path + " does not answer: " + e.getMessage());
+          options.answer().remark(Unanswered.inWords(path, e));
         }
       }
       show(leases);

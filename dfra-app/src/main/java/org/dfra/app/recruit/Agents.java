@@ -9,11 +9,11 @@ import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.RobotModules;
 import org.dfra.app.team.Team;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.app.team.Unanswered;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.module.NotReadyException;
 import picocli.CommandLine.Mixin;
 
 /** The recruitment agents of a team, and where they are looked for. A picocli mix-in. */
@@ -45,9 +45,9 @@ final class Agents {
         try {
           request.to(each.module());
           views.add(AgentView.of(Namesakes.robot(each, agents), each));
-        } catch (RemoteException | NotReadyException e) {
+        } catch (RemoteException | RuntimeException | LinkageError e) { // a foreign proxy's own
           isComplete = false;
-          options.answer().remark(each.path() + " does not answer: " + e.getMessage());
+          options.answer().remark(Unanswered.inWords(each.path(), e));
         }
       }
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.app.team.Namesakes;
 import org.dfra.app.team.Team;
+import org.dfra.app.team.Unanswered;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.directory.ModuleListing;
@@ -33,14 +34,17 @@ final class Order {
     int silent = 0;
     List<TaskView> tasks = new ArrayList<>();
     try (Team team = searches.open()) {
-      List<ModuleListing<RasterSearch>> robots = searches.in(team);
-      for (ModuleListing<RasterSearch> each : robots) {
+      List<ModuleListing<RasterSearch>> all = searches.in(team);
+      for (ModuleListing<RasterSearch> each : all) {
         try {
           said.to(each.module());
-          tasks.add(TaskView.of(Namesakes.robot(each, robots), each));
-        } catch (RemoteException e) {
-          silent++;
-          searches.answer().remark(each.path() + " does not answer: " + e.getMessage());
+          tasks.add(TaskView.of(Namesakes.robot(each, all), each));
+        } catch (RemoteException | RuntimeException | LinkageError e) {
+          if (all.size() == 1 && !(e instanceof RemoteException)) {
+            throw e; // its own refusal is the whole answer
+          }
+          silent++; // the others are to stop all the same
+          searches.answer().remark(Unanswered.inWords(each.path(), e));
         }
       }
     }

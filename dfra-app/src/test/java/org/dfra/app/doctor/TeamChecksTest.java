@@ -3,6 +3,7 @@ package org.dfra.app.doctor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
@@ -12,13 +13,17 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.Callable;
+import net.jini.admin.Administrable;
 import org.dfra.app.doctor.ClockCheck.Measured;
 import org.dfra.app.doctor.RegistrarCheck.Seen;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
 import org.dfra.app.team.Unready;
+import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.StopAttributes;
 import org.dfra.river.lookup.UnreadableModule;
+import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -207,5 +212,33 @@ class TeamChecksTest {
                 Subject.MODULE,
                 "atrv2/lidar cannot be used here: codebase c refused: it is not pinned",
                 "Pin the digest."));
+  }
+
+  /** A module's proxy that answers one question of its administration. */
+  private static Module administered(Callable<Object> getAdmin) {
+    return (Module)
+        Proxy.newProxyInstance(
+            TeamChecksTest.class.getClassLoader(),
+            new Class<?>[] {Module.class, Administrable.class},
+            (proxy, method, arguments) -> getAdmin.call());
+  }
+
+  @Test
+  void aRobotsClockIsMeasuredThoughTheProxyOfOneOfItsModulesFails() throws Exception {
+    Object clock =
+        Proxy.newProxyInstance(
+            TeamChecksTest.class.getClassLoader(),
+            new Class<?>[] {ModuleAdmin.class},
+            (proxy, method, arguments) -> Instant.now());
+    Module good = administered(() -> clock);
+    Module hostile =
+        administered(
+            () -> {
+              throw new IllegalStateException("this proxy is broken");
+            });
+    assertThat(TeamSurvey.offset(List.of(hostile, good)).uncertainty())
+        .isGreaterThanOrEqualTo(Duration.ZERO);
+    assertThatThrownBy(() -> TeamSurvey.offset(List.of(hostile)))
+        .isInstanceOf(IllegalStateException.class);
   }
 }

@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
@@ -84,6 +85,23 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     assertThat(robot.north).isEqualTo(stood);
     second.resume();
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
+  }
+
+  @Test
+  void knowsAfterItsDeathThatAStopCameAfterItWasAskedFor() throws Exception {
+    robot.hide(robot.drive);
+    RasterSearchImpl first = addSearch(Map.of());
+    UUID unused = first.pursueUnattended(FIELD);
+    robot.time.step(1);
+    dieAlone(first);
+    robot.setAhead("drive", Duration.ofHours(-1)); // no clock has a part in this
+    Object stopped = robot.drive.emergencyStop("a test");
+    Object released = robot.drive.releaseStop("a test");
+    robot.show(robot.drive);
+    RasterSearchImpl second = addSearch(Map.of());
+    assertThat(robot.reaches(second, Phase.PAUSED, 2))
+        .as("%s %s %s", stopped, released, second.status())
+        .isTrue();
   }
 
   /** In a new process the directory is empty at first. */

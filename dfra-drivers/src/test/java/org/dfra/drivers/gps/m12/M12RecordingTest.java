@@ -185,12 +185,14 @@ class M12RecordingTest {
       assertThat(position.longitude()).isCloseTo(6.866706667, DEGREES);
       assertThat(position.height()).isCloseTo(55.91, METRES);
       assertThat(gps.fix().satellitesTracked()).isEqualTo(7);
-      List<JsonNode> reports = reference(HA, "TPV");
+      List<Instant> times =
+          reference(HA, "TPV").stream()
+              .filter(report -> report.has("time"))
+              .map(report -> Instant.parse(report.get("time").asText()))
+              .toList();
       assertThat(gps.fix().utc())
-          .as("as it was recorded, however long ago that is")
-          .isBetween(
-              Instant.parse(reports.get(0).get("time").asText()).minus(ROUNDING),
-              Instant.parse(reports.get(reports.size() - 1).get("time").asText()).plus(ROUNDING));
+          .as("as it was recorded, however long ago that is; the first reports have no time")
+          .isBetween(times.get(0).minusSeconds(2), times.get(times.size() - 1).plus(ROUNDING));
       assertThat(gps.counts().malformed()).isZero();
     }
   }

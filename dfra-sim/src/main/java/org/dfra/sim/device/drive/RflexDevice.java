@@ -90,6 +90,7 @@ public final class RflexDevice implements SerialDevice {
   private @Nullable Instant failsafe; // when it is due
   private boolean isHalfMotion; // the other axis' half is to come
   private volatile @Nullable Instant lastMotion;
+  private volatile @Nullable Instant firstHalt;
 
   /** A controller of these wheels, fed by this battery. */
   public RflexDevice(DriveBody wheels, BatteryBody battery) {
@@ -120,6 +121,19 @@ public final class RflexDevice implements SerialDevice {
    */
   public @Nullable Instant lastMotion() {
     return lastMotion;
+  }
+
+  /**
+   * When the first order to halt came after the {@linkplain #lastMotion last motion}: a halt, a
+   * velocity that is none, or the brake. Null while there was none; the controller's own failsafe
+   * is none. May be asked by any thread.
+   */
+  public @Nullable Instant firstHalt() {
+    return firstHalt;
+  }
+
+  private void halted() {
+    firstHalt = firstHalt == null ? now : firstHalt;
   }
 
   @Override
@@ -174,8 +188,14 @@ public final class RflexDevice implements SerialDevice {
     switch (port << 8 | opcode) {
       case 0x0101 -> status();
       case 0x0207 -> setVelocity(argument);
-      case 0x020A -> stop();
-      case 0x020B -> setBrake(true);
+      case 0x020A -> {
+        halted();
+        stop();
+      }
+      case 0x020B -> {
+        halted();
+        setBrake(true);
+      }
       case 0x020C -> setBrake(false);
       case 0x0222 -> requestReports(argument);
       default -> {
@@ -200,7 +220,12 @@ public final class RflexDevice implements SerialDevice {
     axis.speed = isPositive ? speed : -speed;
     axis.acceleration = acceleration > 0 ? acceleration : USUAL_ACCELERATION;
     failsafe = now.plus(FAILSAFE);
-    lastMotion = counts > 1 || (isHalfMotion && axis == about) ? now : lastMotion;
+    if (counts > 1 || (isHalfMotion && axis == about)) {
+      lastMotion = now;
+      firstHalt = null;
+    } else {
+      halted();
+    }
     isHalfMotion = counts > 1 && axis == along;
     drive();
   }
