@@ -51,6 +51,7 @@ class ArchitectureTest {
     "org.dfra.lease..",
     "org.dfra.event..",
     "org.dfra.directory..",
+    "org.dfra.text..",
     "org.dfra.time.."
   };
   private static final String[] RIVER = {

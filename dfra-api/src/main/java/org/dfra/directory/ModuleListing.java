@@ -8,14 +8,16 @@ import java.util.UUID;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.text.Printable;
 
 /**
  * A module as the directory knows it. A snapshot: it does not change any more.
  *
  * @param id the module's identity, the same after every restart
  * @param module the module, or its proxy
- * @param robot name of its robot; empty where it has not told
- * @param name name of the module; empty where it has not told
+ * @param robot name of its robot, a {@linkplain Printable#word printable word}; empty where it has
+ *     not told
+ * @param name name of the module, likewise; empty where it has not told
  * @param attributes what it says of itself
  * @param locality how far away it is
  * @param stale whether nobody vouches for it any more: every lookup service that knew it is out of
@@ -35,6 +37,8 @@ public record ModuleListing<M extends Module>(
     Instant confirmed) {
 
   public ModuleListing {
+    robot = Printable.word(robot);
+    name = Printable.word(name);
     attributes = List.copyOf(attributes);
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.text.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -33,7 +34,7 @@ final class HelpCommand implements Callable<Integer> {
       if (next == null && line.getParent() == null && ScriptVerbs.names().contains(verb)) {
         spec.commandLine()
             .getOut()
-            .println("The script tells that itself: ./dfra " + verb + " --help");
+            .println(Printable.line("The script tells that itself: ./dfra " + verb + " --help"));
         return ExitCode.WELL;
       } else if (next == null) {
         throw new UnmatchedArgumentException(line, List.of(verb));

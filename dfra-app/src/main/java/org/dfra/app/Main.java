@@ -24,6 +24,7 @@ import org.dfra.app.stop.StopCommand;
 import org.dfra.app.task.TaskCommand;
 import org.dfra.app.terminal.Called;
 import org.dfra.app.terminal.Colour;
+import org.dfra.app.terminal.Sentences;
 import org.dfra.core.log.LogLevels;
 import org.dfra.module.LogLevel;
 import org.dfra.river.filter.SerialFilters;
@@ -95,7 +96,7 @@ public final class Main {
       BootClassPath.require();
       TrustedCode.install();
     } catch (IOException | IllegalStateException e) {
-      System.err.println("dfra: " + e.getMessage());
+      System.err.println(Sentences.remark(String.valueOf(e.getMessage())));
       System.exit(1);
     }
     CommandLine line = commandLine(args);

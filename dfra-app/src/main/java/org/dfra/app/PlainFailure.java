@@ -1,11 +1,14 @@
 package org.dfra.app;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
+import org.dfra.app.log.PrintableTrace;
 import org.dfra.app.plot.NoFontException;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
+import org.dfra.app.terminal.Sentences;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.AdministrationRefusedException;
@@ -14,17 +17,21 @@ import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.ParseResult;
 
-/** Tells a failure that is the user's to mend in its own sentence, and any other one in full. */
+/** Reports a failure that the user can mend in its own sentence, and any other one in full. */
 final class PlainFailure implements IExecutionExceptionHandler {
 
   @Override
-  public int handleExecutionException(Exception e, CommandLine line, ParseResult parsed)
-      throws Exception {
+  public int handleExecutionException(Exception e, CommandLine line, ParseResult parsed) {
     int code = code(e);
+    PrintWriter err = line.getErr();
     if (code == ExitCode.WELL) {
-      throw e;
+      err.print(PrintableTrace.of(e));
+      err.flush();
+      return line.getCommandSpec().exitCodeOnExecutionException();
     }
-    line.getErr().println("dfra: " + e.getMessage());
+    String message = String.valueOf(e.getMessage());
+    boolean isOfSeveralLines = e instanceof ConfigurationException;
+    err.println(isOfSeveralLines ? Sentences.remarks(message) : Sentences.remark(message));
     return code;
   }
 

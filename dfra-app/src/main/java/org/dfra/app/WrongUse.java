@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.dfra.app.terminal.Sentences;
 import org.dfra.core.config.NearestName;
 import picocli.CommandLine;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -30,7 +31,7 @@ final class WrongUse implements IParameterExceptionHandler {
     if (isNothingAsked) {
       line.usage(line.getErr());
     } else {
-      line.getErr().println("dfra: " + sentence(e, line));
+      line.getErr().println(Sentences.remark(sentence(e, line)));
     }
     return line.getCommandSpec().exitCodeOnInvalidInput();
   }

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import org.dfra.app.figure.Figure;
 import org.dfra.app.figure.Figures;
+import org.dfra.text.Printable;
 
 /** What a benchmark has measured, printed as it comes. */
 final class Report {
@@ -17,7 +18,7 @@ final class Report {
 
   /** Says what is being done. */
   void say(String sentence) {
-    out.println(sentence);
+    out.println(Printable.line(sentence));
     out.flush();
   }
 

@@ -68,9 +68,7 @@ public final class DoctorCommand implements Callable<Integer> {
       answer.outline(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
     } else {
       Ansi ansi = spec.commandLine().getColorScheme().ansi();
-      new Telling(ansi, Terminal.textColumns())
-          .of(findings)
-          .forEach(line -> answer.line(line, line));
+      answer.finished(new Telling(ansi, Terminal.textColumns()).of(findings));
     }
     return well ? ExitCode.WELL : ExitCode.FAILED;
   }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.dfra.app.terminal.Words;
+import org.dfra.text.Printable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
@@ -33,13 +34,13 @@ final class Telling {
     List<String> lines = new ArrayList<>();
     for (Finding each : findings) {
       String line = verdict(each.verdict()) + padded(each.subject().id(), SUBJECT_WIDTH);
-      for (String part : Words.folded(each.what(), columns - LABELS)) {
+      for (String part : Words.folded(Printable.line(each.what()), columns - LABELS)) {
         lines.add(line + part);
         line = BLANK;
       }
       @Nullable String mend = each.mend();
       if (mend != null) {
-        lines.addAll(Words.hanging(BLANK + "→ " + mend, columns, LABELS + 2));
+        lines.addAll(Words.hanging(BLANK + "→ " + Printable.line(mend), columns, LABELS + 2));
       }
     }
     lines.add("");

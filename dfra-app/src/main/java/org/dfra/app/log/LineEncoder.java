@@ -4,18 +4,19 @@ import ch.qos.logback.classic.pattern.Abbreviator;
 import ch.qos.logback.classic.pattern.TargetLengthBasedClassNameAbbreviator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.IThrowableProxy;
-import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.encoder.EncoderBase;
 import java.nio.charset.Charset;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.ZoneOffset;
+import org.dfra.text.Printable;
 
 /**
  * Writes an event as a line of the log and, if there is an exception, its lines after it: what
- * Logback's pattern {@value #PATTERN} gives. For a pattern Logback loads some hundred classes of
- * converters in every process that starts.
+ * Logback's pattern {@value #PATTERN} gives, but {@linkplain Printable printable}: a message is one
+ * line, whatever another computer has put into it. For a pattern Logback loads some hundred classes
+ * of converters in every process that starts.
  */
 final class LineEncoder extends EncoderBase<ILoggingEvent> {
 
@@ -46,12 +47,13 @@ final class LineEncoder extends EncoderBase<ILoggingEvent> {
     appendTime(line, event.getTimeStamp());
     String level = event.getLevel().toString();
     line.append(' ').append(level).append(" ".repeat(Math.max(0, LEVEL_LENGTH - level.length())));
-    line.append(" [").append(event.getThreadName()).append("] ");
-    line.append(names.abbreviate(event.getLoggerName())).append(": ");
-    line.append(event.getFormattedMessage()).append(System.lineSeparator());
+    line.append(" [").append(Printable.name(event.getThreadName())).append("] ");
+    line.append(Printable.name(names.abbreviate(event.getLoggerName()))).append(": ");
+    String message = String.valueOf(event.getFormattedMessage());
+    line.append(Printable.line(message)).append(System.lineSeparator());
     IThrowableProxy thrown = event.getThrowableProxy();
     if (thrown != null) {
-      line.append(ThrowableProxyUtil.asString(thrown));
+      PrintableTrace.append(line, thrown);
     }
     return line.toString().getBytes(Charset.defaultCharset());
   }

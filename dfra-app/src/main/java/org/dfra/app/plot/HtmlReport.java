@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import org.dfra.text.Printable;
 
 /**
  * A report in one file that needs no other and runs nothing: text, tables, and pages as inline SVG.
@@ -51,7 +52,7 @@ public final class HtmlReport {
    */
   public HtmlReport verdict(boolean isWell, String text) {
     body.append("<p class=\"verdict ").append(isWell ? "met" : "missed").append("\">");
-    body.append(escaped(Numerals.unbroken(text))).append("</p>\n");
+    body.append(escaped(unbroken(text))).append("</p>\n");
     return this;
   }
 
@@ -62,7 +63,7 @@ public final class HtmlReport {
 
   private HtmlReport element(String name, String text) {
     body.append('<').append(name).append('>');
-    body.append(escaped(Numerals.unbroken(text))).append("</").append(name).append(">\n");
+    body.append(escaped(unbroken(text))).append("</").append(name).append(">\n");
     return this;
   }
 
@@ -99,7 +100,7 @@ public final class HtmlReport {
     body.append("<tr>");
     for (int i = 0; i < texts.size(); i++) {
       body.append('<').append(cell).append(areNumbers.get(i) ? " class=\"n\">" : ">");
-      body.append(escaped(Numerals.unbroken(texts.get(i))));
+      body.append(escaped(unbroken(texts.get(i))));
       body.append("</").append(cell).append('>');
     }
     body.append("</tr>\n");
@@ -149,11 +150,11 @@ public final class HtmlReport {
    */
   public HtmlReport picture(byte[] data, String mediaType, String caption) {
     body.append("<figure>\n<img src=\"data:")
-        .append(escaped(mediaType))
+        .append(escaped(Printable.name(mediaType)))
         .append(";base64,")
         .append(Base64.getEncoder().encodeToString(data))
         .append("\" alt=\"")
-        .append(escaped(caption))
+        .append(escaped(Printable.lines(caption)))
         .append("\">\n");
     element("figcaption", caption);
     body.append("</figure>\n");
@@ -178,7 +179,7 @@ public final class HtmlReport {
         %3$s</body>
         </html>
         """
-        .formatted(escaped(title), STYLE, body);
+        .formatted(escaped(Printable.name(title)), STYLE, body);
   }
 
   /** Writes the whole document to a file. */
@@ -186,6 +187,11 @@ public final class HtmlReport {
     Files.writeString(file, html(), StandardCharsets.UTF_8);
   }
 
+  private static String unbroken(String text) {
+    return Numerals.unbroken(Printable.lines(text));
+  }
+
+  /** Of a text that is {@linkplain Printable printable}. */
   private static String escaped(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")

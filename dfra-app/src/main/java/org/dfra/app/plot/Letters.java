@@ -5,6 +5,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
+import org.dfra.text.Printable;
 
 /** Text on panels: its fonts, how wide it is, and where it stands. */
 final class Letters {
@@ -57,7 +58,8 @@ final class Letters {
   }
 
   /** The text, or where it is wider than so many pixels, its beginning and an ellipsis. */
-  static String fitting(String text, Font font, double width) {
+  static String fitting(String whole, Font font, double width) {
+    String text = printable(whole);
     if (width(text, font) <= width) {
       return text;
     }
@@ -68,14 +70,15 @@ final class Letters {
     return cut + "…";
   }
 
-  /** The text with a blank for each control character, none of which XML can hold. */
+  /** The text without control characters, which XML cannot hold, and the like. */
   static String printable(String text) {
-    return text.replaceAll("\\p{Cntrl}", " ");
+    return Printable.name(text.replaceAll("\\R", " "));
   }
 
   /** Paints it with its baseline at this height. */
   static void paint(
-      Graphics2D g, String text, Font font, Color colour, double x, double y, Side side) {
+      Graphics2D g, String whole, Font font, Color colour, double x, double y, Side side) {
+    String text = printable(whole);
     if (text.isBlank()) {
       return;
     }
@@ -87,7 +90,7 @@ final class Letters {
         };
     g.setFont(font);
     g.setColor(colour);
-    g.drawString(printable(text), (float) (x - shift), (float) y);
+    g.drawString(text, (float) (x - shift), (float) y);
   }
 
   /** Paints it upwards, its baseline at x, its middle at y. */

@@ -131,7 +131,7 @@ final class SvgCanvas extends SVGGraphics2D {
   @Override
   public void drawString(String text, float x, float y) {
     finish();
-    super.drawString(text, x, y);
+    super.drawString(Letters.printable(text), x, y);
   }
 
   /** Draws the segments to which others might have been added. */

@@ -22,6 +22,7 @@ import org.dfra.sim.run.Simulation.Ports;
 import org.dfra.sim.run.TruthLog;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
+import org.dfra.text.Printable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -207,7 +208,7 @@ final class RunCommand implements Callable<Integer> {
     if (answer.isJson()) {
       answer.line(state, "");
     } else if (System.console() != null) {
-      System.err.print("\r\u001b[K" + state.inWords());
+      System.err.print("\r\u001b[K" + Printable.line(state.inWords()));
       System.err.flush();
     }
   }

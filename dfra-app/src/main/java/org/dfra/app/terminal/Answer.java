@@ -10,12 +10,18 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.dfra.text.Printable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.Spec.Target;
 
-/** How a command answers: for people, or with {@code --json} for programs. A picocli mix-in. */
+/**
+ * How a command answers: for people, or with {@code --json} for programs. A picocli mix-in.
+ *
+ * <p>What people see is made {@linkplain Printable printable} here: text from other computers can
+ * neither control the terminal nor begin a line.
+ */
 public final class Answer {
 
   @Option(names = "--json", description = "Answer in JSON.")
@@ -40,7 +46,7 @@ public final class Answer {
     if (json) {
       out().println(Json.pretty(value));
     } else if (value.isEmpty()) {
-      out().println(nothing);
+      out().println(Sentences.answer(nothing));
     } else {
       List<String> lines = table.lines(Terminal.columns());
       out().println(isColoured() ? Colour.bold(lines.get(0)) : lines.get(0));
@@ -71,6 +77,7 @@ public final class Answer {
   private List<String> shown(List<String> lines) {
     int columns = Terminal.textColumns();
     return lines.stream()
+        .map(Printable::line)
         .flatMap(line -> Outline.folded(line, columns).stream())
         .map(this::coloured)
         .toList();
@@ -82,7 +89,7 @@ public final class Answer {
    * @param value what the sentence tells, for programs
    */
   public void sentence(Object value, String sentence) {
-    out().println(json ? Json.pretty(value) : sentence);
+    out().println(json ? Json.pretty(value) : Sentences.answer(sentence));
     out().flush();
   }
 
@@ -92,7 +99,22 @@ public final class Answer {
    * @param value what the lines tell, for programs
    */
   public void lines(Object value, List<String> lines) {
-    sentence(value, String.join(System.lineSeparator(), shown(lines)));
+    if (json) {
+      out().println(Json.pretty(value));
+    } else {
+      shown(lines).forEach(out()::println);
+    }
+    out().flush();
+  }
+
+  /**
+   * Gives lines as they are, for people.
+   *
+   * @param lines folded, coloured, and composed of {@linkplain Printable printable} texts
+   */
+  public void finished(List<String> lines) {
+    lines.forEach(out()::println);
+    out().flush();
   }
 
   /** Whether somebody still reads the answer; nobody does where it goes to a pipe that closed. */
@@ -102,7 +124,7 @@ public final class Answer {
 
   /** Gives one of many values, on one line each. */
   public void line(Object value, String line) {
-    out().println(json ? Json.line(value) : line);
+    out().println(json ? Json.line(value) : Sentences.answer(line));
     out().flush();
   }
 
@@ -177,7 +199,7 @@ public final class Answer {
   public void remark(String sentence) {
     if (!json) {
       PrintWriter err = spec.commandLine().getErr();
-      err.println("dfra: " + sentence);
+      err.println(Sentences.remark(sentence));
       err.flush();
     }
   }

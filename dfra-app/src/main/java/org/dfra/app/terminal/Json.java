@@ -18,10 +18,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Type;
 import java.time.Duration;
+import org.dfra.text.Printable;
 
 /**
  * Values as JSON: a record as an object, an instant in ISO 8601 in UTC, a duration in seconds, what
- * is absent as null, and so is a number that is not known (NaN).
+ * is absent as null, and so is a number that is not known (NaN). What is not {@linkplain Printable
+ * printable} in a text is escaped: the answer may go to a terminal, too.
  */
 final class Json {
 
@@ -65,9 +67,10 @@ final class Json {
 
   private static String write(Object value, boolean pretty) {
     try {
-      return pretty
-          ? MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(value)
-          : MAPPER.writeValueAsString(value);
+      return Printable.json(
+          pretty
+              ? MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(value)
+              : MAPPER.writeValueAsString(value));
     } catch (JsonProcessingException e) {
       throw new UncheckedIOException(e);
     }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
+import org.dfra.text.Printable;
 
 /**
  * Rows under headings, each column as wide as its widest cell. Where that is wider than the
@@ -15,6 +16,9 @@ public final class Table {
 
   private static final String GAP = "  ";
   private static final int WIDEST = 60;
+
+  /** Most of a cell that is shown, in UTF-16 code units. */
+  private static final int LONGEST_CELL = 2_000;
 
   private final List<String> headings;
   private final List<List<String>> rows = new ArrayList<>();
@@ -29,14 +33,14 @@ public final class Table {
   /**
    * Adds a row.
    *
-   * @param cells one for each column
+   * @param cells one for each column; they are made {@linkplain Printable printable}
    */
   public void row(String... cells) {
     if (cells.length != headings.size()) {
       throw new IllegalArgumentException(
           cells.length + " cells in a table of " + headings.size() + " columns");
     }
-    rows.add(List.of(cells));
+    rows.add(Arrays.stream(cells).map(cell -> Printable.line(cell, LONGEST_CELL)).toList());
   }
 
   /** The lines, the headings first, however wide. */
@@ -103,7 +107,8 @@ public final class Table {
   private static List<String> folded(List<String> row, int[] widths) {
     List<List<String>> cells =
         IntStream.range(0, widths.length)
-            .mapToObj(i -> Words.folded(row.get(i), widths[i]))
+            .mapToObj(
+                i -> i == 0 ? indented(row.get(0), widths[0]) : Words.folded(row.get(i), widths[i]))
             .toList();
     int height = cells.stream().mapToInt(List::size).max().orElse(0);
     List<String> lines = new ArrayList<>();
@@ -115,6 +120,24 @@ public final class Table {
             .append(Words.padded(line < cell.size() ? cell.get(line) : "", widths[i]));
       }
       lines.add(text.toString().stripTrailing());
+    }
+    return lines;
+  }
+
+  /**
+   * A first cell, whose further lines begin to the right of the margin where there is room: part of
+   * a name must not be mistaken for a line of its own.
+   */
+  private static List<String> indented(String cell, int width) {
+    List<String> pieces = Words.folded(cell, width);
+    if (pieces.size() == 1) {
+      return pieces;
+    }
+    pieces = Words.folded(cell, Math.max(1, width - GAP.length()));
+    List<String> lines = new ArrayList<>(pieces.subList(0, 1));
+    for (String piece : pieces.subList(1, pieces.size())) {
+      int room = Math.max(0, Math.min(GAP.length(), width - Words.width(piece)));
+      lines.add(" ".repeat(room) + piece);
     }
     return lines;
   }

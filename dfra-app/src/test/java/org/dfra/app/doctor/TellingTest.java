@@ -16,6 +16,16 @@ class TellingTest {
           Finding.fail(Subject.PORT, "taken", "Free it."));
 
   @Test
+  void textOfOthersControlsNoTerminalAndBeginsNoLine() {
+    Finding hostile =
+        Finding.fail(Subject.REGISTRAR, "gps\nOK    \u001b[2J\u009b\u202e", "mend\n\u0007");
+    assertThat(String.join("\n", new Telling(Ansi.OFF, 80).of(List.of(hostile))))
+        .contains("gps\\nOK    \\u001b[2J\\u009b\\u202e", "→ mend\\n\\u0007")
+        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]")
+        .doesNotContainPattern("(?m)^OK");
+  }
+
+  @Test
   void eachIsALineAndWhatToDoIsBelow() {
     assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS))
         .containsExactly(

@@ -135,18 +135,47 @@ class LogbackSetupTest {
                   "",
                   context.getLogger(logger),
                   Level.toLevel(level),
-                  "{} % of\n{}",
+                  "{} % of {}",
                   thrown,
                   new Object[] {7, "x"});
           event.setInstant(Instant.ofEpochMilli(millis));
           assertThat(new String(encoder.encode(event), Charset.defaultCharset()))
               .isEqualTo(new String(pattern.encode(event), Charset.defaultCharset()))
-              .contains("7 % of\nx");
+              .contains("7 % of x");
         }
       }
     } finally {
       TimeZone.setDefault(here);
     }
+  }
+
+  /** A name that another computer chose goes into a message, an exception and its frames. */
+  @Test
+  void anEventIsOneLineWhateverItsTextHolds() {
+    String name = "gps\n2026-11-23T16:00:00.000Z INFO forged: 2 stopped\u001b[2J\u009b\u202e";
+    String shown =
+        "gps\\n2026-11-23T16:00:00.000Z INFO forged: 2 stopped\\u001b[2J\\u009b\\u202e";
+    IOException thrown = new IOException(name, new IllegalStateException(name));
+    thrown.setStackTrace(
+        new StackTraceElement[] {new StackTraceElement("a.B\nforged", "c\u001b", "B.java", 1)});
+    thrown.addSuppressed(new IllegalArgumentException(name));
+    LoggerContext context = new LoggerContext();
+    LineEncoder encoder = new LineEncoder();
+    encoder.start();
+    LoggingEvent event =
+        new LoggingEvent(
+            "", context.getLogger(name), Level.WARN, "{} left", thrown, new Object[] {name});
+    event.setThreadName(name);
+    event.setInstant(Instant.EPOCH);
+    String text = new String(encoder.encode(event), Charset.defaultCharset());
+    assertThat(text)
+        .contains("WARN  [" + shown + "] ", ": " + shown + " left")
+        .contains("java.io.IOException: " + shown)
+        .contains("\tat a.B\\nforged.c\\u001b(B.java:1)")
+        .contains("\tSuppressed: java.lang.IllegalArgumentException: " + shown)
+        .contains("Caused by: java.lang.IllegalStateException: " + shown)
+        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n\t]]")
+        .doesNotContainPattern("(?m)^(?:2026-11-23|forged|2 stopped)");
   }
 
   @Test

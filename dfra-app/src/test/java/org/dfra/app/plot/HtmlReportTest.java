@@ -43,6 +43,33 @@ class HtmlReportTest {
   }
 
   @Test
+  void showsWhatCannotBeSeen() {
+    String name = "gps\u001b[2J\u202e<b>\u009b";
+    String shown = "gps\\u001b[2J\\u202e&lt;b&gt;\\u009b";
+    Page page =
+        new Page(name)
+            .row(150, new TextPanel(name, List.of(name), 1))
+            .row(
+                150,
+                new LinePanel(name, Axis.of(name, "s"), Axis.of(name, "m/s"))
+                    .add(Series.line(name, new double[] {0, 1}, new double[] {0, 1})));
+    String html =
+        new HtmlReport(name)
+            .verdict(true, name)
+            .heading(name)
+            .paragraph(name)
+            .table(List.of(name), List.of(List.of(name)))
+            .figure(page, name)
+            .picture(new byte[] {1}, "image/png", name)
+            .html();
+    assertThat(html)
+        .contains("<title>" + shown, "<h1>" + shown, "<h2>" + shown, "<p>" + shown)
+        .contains("<th>" + shown, "<td>" + shown, "<figcaption>" + shown, "alt=\"" + shown)
+        .doesNotContain("<b>")
+        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]");
+  }
+
+  @Test
   void needsNoOtherFile() {
     assertThat(report().html()).doesNotContainPattern("(?:src|href)=\"(?!#)");
   }

@@ -88,6 +88,6 @@ class TableTest {
     Table table = new Table("A", "B");
     table.row("one two three", "x");
     assertThat(table.lines(16)).containsExactly("A              B", "one two three  x");
-    assertThat(table.lines(15)).isEqualTo(List.of("A             B", "one two       x", "three"));
+    assertThat(table.lines(15)).isEqualTo(List.of("A             B", "one two       x", "  three"));
   }
 }

@@ -1,5 +1,7 @@
 package org.dfra.river.lookup;
 
+import org.dfra.text.Printable;
+
 /**
  * A module whose proxy cannot be read here, most often because its classes are not trusted. What a
  * lookup service says of it is known all the same.
@@ -11,6 +13,11 @@ package org.dfra.river.lookup;
  * @param reason why, and what to do
  */
 public record UnreadableModule(String robot, String name, String host, String id, String reason) {
+
+  public UnreadableModule {
+    robot = Printable.word(robot);
+    name = Printable.word(name);
+  }
 
   /** {@code robot/name}. */
   public String path() {

@@ -13,6 +13,7 @@ import net.jini.activation.ActivationGroup;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.GroupClasses;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.text.Printable;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -87,8 +88,9 @@ public final class GroupVm {
   private static void redirectOutput() throws IOException {
     PrintStream out =
         new PrintStream(
-            new RotatingOutput(
-                Path.of(System.getProperty(GroupProcess.OUTPUT)), OUTPUT_LIMIT, OUTPUTS_KEPT),
+            new PrintableOutput(
+                new RotatingOutput(
+                    Path.of(System.getProperty(GroupProcess.OUTPUT)), OUTPUT_LIMIT, OUTPUTS_KEPT)),
             true,
             StandardCharsets.UTF_8);
     System.setOut(out);
@@ -104,7 +106,7 @@ public final class GroupVm {
   }
 
   private static void end(int code, String reason) {
-    System.err.println(reason);
+    System.err.println(Printable.line(reason));
     Runtime.getRuntime().halt(code);
   }
 }

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.text.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -120,7 +121,7 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
       emulator.await();
       return 0;
     } catch (IOException e) {
-      spec.commandLine().getErr().println(e.getMessage());
+      spec.commandLine().getErr().println(Printable.line(String.valueOf(e.getMessage())));
       return 1;
     }
   }

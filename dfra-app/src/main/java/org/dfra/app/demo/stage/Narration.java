@@ -13,6 +13,7 @@ import org.dfra.app.terminal.LiveBlock;
 import org.dfra.app.terminal.Table;
 import org.dfra.app.terminal.Terminal;
 import org.dfra.app.terminal.Words;
+import org.dfra.text.Printable;
 
 /**
  * What a demonstration says, each sentence with the time since it began, and what it measured. Safe
@@ -128,7 +129,8 @@ public final class Narration {
    * written above them. What is too wide for the terminal is cut there.
    */
   public synchronized void redraw(List<String> lines) {
-    out.print(block.draw(lines.stream().map(line -> BLOCK_MARGIN + line).toList()));
+    out.print(
+        block.draw(lines.stream().map(line -> BLOCK_MARGIN + Printable.line(line)).toList()));
     out.flush();
   }
 
@@ -143,8 +145,8 @@ public final class Narration {
   /** A heading. */
   public synchronized void heading(String title) {
     blank();
-    for (String line : Words.sentence(title, width(), width())) {
-      print((isColoured ? Colour.of(line) : line) + END);
+    for (String line : Words.sentence(printable(title), width(), width())) {
+      print(coloured(line) + END);
     }
   }
 
@@ -154,7 +156,9 @@ public final class Narration {
     int columns = width() - INDENT.length();
     List<String> lines =
         Words.sentence(
-            String.format(Locale.ROOT, format, arguments), width() - time.length(), columns);
+            printable(String.format(Locale.ROOT, format, arguments)),
+            width() - time.length(),
+            columns);
     print(time + String.join(END + INDENT, lines) + END);
   }
 
@@ -178,8 +182,7 @@ public final class Narration {
     StringBuilder text = new StringBuilder();
     lines.forEach(
         line ->
-            text.append((MARGIN + (isColoured ? Colour.of(line) : line)).stripTrailing())
-                .append(END));
+            text.append((MARGIN + coloured(Printable.line(line))).stripTrailing()).append(END));
     print(text.toString());
     blank();
   }
@@ -188,9 +191,18 @@ public final class Narration {
   public synchronized void remark(String text) {
     blank();
     int columns = Math.min(WIDTH, columns()) - 2;
-    for (String line : Words.sentence(text, columns, columns)) {
-      print("  " + (isColoured ? Colour.of(line) : line) + END);
+    for (String line : Words.sentence(printable(text), columns, columns)) {
+      print("  " + coloured(line) + END);
     }
+  }
+
+  /** A sentence; it may have been written in several lines. */
+  private static String printable(String text) {
+    return Printable.line(text.strip().replaceAll("[ \\t]*\\R[ \\t]*", " "));
+  }
+
+  private String coloured(String line) {
+    return isColoured ? Colour.of(line) : line;
   }
 
   /** An empty line, unless the last one was. */
@@ -243,7 +255,7 @@ public final class Narration {
   public synchronized void table() {
     heading("Measured");
     for (Figure each : figures.all()) {
-      each.lines(columns()).forEach(line -> print((isColoured ? Colour.of(line) : line) + END));
+      each.lines(columns()).forEach(line -> print(coloured(line) + END));
     }
   }
 

@@ -2,6 +2,7 @@ package org.dfra.app.demo.stage;
 
 import java.io.IOException;
 import org.dfra.app.log.LogbackSetup;
+import org.dfra.app.terminal.Sentences;
 import org.dfra.core.log.LogLevels;
 import org.dfra.module.LogLevel;
 
@@ -88,7 +89,7 @@ public final class Performance {
     try {
       stage.close();
     } catch (IOException e) {
-      System.err.println("dfra: " + e.getMessage());
+      System.err.println(Sentences.remark(String.valueOf(e.getMessage())));
     }
   }
 }

@@ -25,6 +25,7 @@ import org.dfra.app.raster.live.Searching;
 import org.dfra.app.raster.live.ToldTime;
 import org.dfra.app.raster.live.Trouble;
 import org.dfra.app.raster.live.Watch;
+import org.dfra.app.terminal.Sentences;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.time.RobotTime;
 import org.dfra.directory.ModuleDirectory;
@@ -129,7 +130,7 @@ public final class ProcessMission implements Mission {
     try {
       stage.close();
     } catch (IOException e) {
-      System.err.println("dfra: " + e.getMessage());
+      System.err.println(Sentences.remark(String.valueOf(e.getMessage())));
     }
   }
 

@@ -71,6 +71,25 @@ class NarrationTest {
     assertThat(piped.toString()).as("a path can be copied").contains("/" + "a/".repeat(60));
   }
 
+  /** A module's name comes from its robot, a failure's message from anywhere. */
+  @Test
+  void textOfOthersControlsNoTerminalAndBeginsNoLine() {
+    String hostile = "gps\n2 stopped\u001b[2J\u009b2J\u202e";
+    String shown = "2 stopped\\u001b[2J\\u009b2J\\u202e";
+    StringWriter piped = new StringWriter();
+    Narration plain = new Narration(new PrintWriter(piped), () -> 0);
+    plain.say("%s has come.", hostile);
+    plain.heading(hostile);
+    plain.remark(hostile);
+    plain.show(List.of(hostile));
+    assertThat(piped.toString())
+        .contains(shown + " has come.", "gps " + shown, "    gps\\n" + shown)
+        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]")
+        .doesNotContainPattern("(?m)^2 stopped");
+    tell.redraw(List.of(hostile));
+    assertThat(out.toString()).contains(" gps\\n2 stopped\\u001b").doesNotContain("[2J\u009b");
+  }
+
   @Test
   void aBlockThatIsSettledStaysWhereItIs() {
     tell.redraw(List.of("first"));

@@ -1,0 +1,123 @@
+package org.dfra.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.Sentences;
+import org.dfra.text.Printable;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+
+/**
+ * What is shown to people goes through {@link Printable}. Only the classes that are named here
+ * write to a terminal or paint text; another one is reviewed, and then added.
+ */
+class PrintedTextRulesTest {
+
+  /** They write text that other computers may have written, and make it printable themselves. */
+  private static final Set<String> PRINTABLE =
+      Set.of(
+          "org.dfra.app.HelpCommand",
+          "org.dfra.app.Main",
+          "org.dfra.app.PlainFailure",
+          "org.dfra.app.WrongUse",
+          "org.dfra.app.bench.Report",
+          "org.dfra.app.demo.stage.Narration",
+          "org.dfra.app.demo.stage.Performance",
+          "org.dfra.app.log.LogbackSetup",
+          "org.dfra.app.raster.process.ProcessMission",
+          "org.dfra.app.sim.RunCommand",
+          "org.dfra.app.terminal.Answer",
+          "org.dfra.river.phoenix.GroupVm",
+          "org.dfra.sim.device.ReceiverEmulatorMain");
+
+  /** They write no text but their own, or hand the writer on to one of those above. */
+  private static final Set<String> OWN_TEXT =
+      Set.of(
+          "org.dfra.app.bench.BenchCommand",
+          "org.dfra.app.bench.ListenerMain",
+          "org.dfra.app.completion.CompletionCommand",
+          "org.dfra.app.demo.DemoCommand",
+          "org.dfra.app.recruit.ExperimentCommand",
+          "org.dfra.app.terminal.Called",
+          "org.dfra.core.time.Timing",
+          "org.dfra.testing.SerialCable");
+
+  private static final Set<String> WRITERS =
+      Set.of(PrintStream.class.getName(), PrintWriter.class.getName());
+
+  private static final JavaClasses DFRA =
+      new ClassFileImporter()
+          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+          .importPackages("org.dfra");
+
+  /** The classes one of whose accesses is such, by the names of their files. */
+  private static Set<String> thatAccess(Predicate<JavaAccess<?>> such) {
+    return DFRA.stream()
+        .filter(each -> each.getAccessesFromSelf().stream().anyMatch(such))
+        .map(PrintedTextRulesTest::outermost)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  private static String outermost(JavaClass each) {
+    String name = each.getName();
+    int nested = name.indexOf('$');
+    return nested < 0 ? name : name.substring(0, nested);
+  }
+
+  private static boolean writes(JavaAccess<?> access) {
+    String owner = access.getTargetOwner().getName();
+    String name = access.getTarget().getName();
+    return WRITERS.contains(owner)
+        || (owner.equals(System.class.getName()) && Set.of("out", "err").contains(name))
+        || (owner.equals(CommandLine.class.getName())
+            && Set.of("getOut", "getErr", "usage").contains(name));
+  }
+
+  @Test
+  void onlyTheseWriteToATerminal() {
+    assertThat(thatAccess(PrintedTextRulesTest::writes))
+        .containsExactlyInAnyOrderElementsOf(
+            Stream.concat(PRINTABLE.stream(), OWN_TEXT.stream()).toList());
+  }
+
+  @Test
+  void theyMakeTextPrintable() {
+    Set<String> means =
+        Stream.of(Printable.class, Sentences.class, Answer.class)
+            .map(Class::getName)
+            .collect(Collectors.toSet());
+    assertThat(thatAccess(access -> means.contains(access.getTargetOwner().getName())))
+        .containsAll(PRINTABLE)
+        .contains(
+            "org.dfra.app.terminal.Json",
+            "org.dfra.app.terminal.Table",
+            "org.dfra.app.doctor.Telling",
+            "org.dfra.app.log.LineEncoder",
+            "org.dfra.app.log.PrintableTrace",
+            "org.dfra.app.plot.HtmlReport",
+            "org.dfra.app.plot.Letters",
+            "org.dfra.river.phoenix.PrintableOutput");
+  }
+
+  /** Text of a picture is made printable where it is painted. */
+  @Test
+  void onlyTheseWriteTextIntoAPicture() {
+    List<String> paint = List.of("drawString", "drawGlyphVector", "setTextContent");
+    assertThat(thatAccess(access -> paint.contains(access.getTarget().getName())))
+        .containsExactlyInAnyOrder("org.dfra.app.plot.Letters", "org.dfra.app.plot.SvgCanvas");
+  }
+}
