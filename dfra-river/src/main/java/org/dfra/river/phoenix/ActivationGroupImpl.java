@@ -28,6 +28,8 @@ import net.jini.export.ProxyAccessor;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.phoenix.stop.GroupStop;
+import org.dfra.river.phoenix.stop.GroupStopAnswer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -39,7 +41,7 @@ import org.slf4j.LoggerFactory;
  * <p>Each object has a lock of its own, so that a slow constructor delays only those who want that
  * object.
  */
-public final class ActivationGroupImpl extends ActivationGroup implements Closeable {
+public final class ActivationGroupImpl extends ActivationGroup implements Closeable, GroupStop {
 
   private static final long serialVersionUID = 1L;
 
@@ -57,6 +59,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
   private final transient ReadinessReports readiness = new ReadinessReports();
+  private final transient StopTargets targets = new StopTargets();
 
   /** Held only for a moment, never while an object is made or anybody is called. */
   private final transient Object gate = new Object();
@@ -116,7 +119,10 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
-          readiness.made(object, make(slot, object, desc));
+          long orders = targets.orders();
+          Remote made = make(slot, object, desc);
+          targets.made(object, made, orders); // before its proxy is known to phoenix
+          readiness.made(object, made);
         }
         return Objects.requireNonNull(slot.proxy);
       }
@@ -237,6 +243,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       slot.object = null;
       slot.proxy = null;
       readiness.inactive(object);
+      targets.inactive(object);
     }
     leaveIfEmpty();
     if (failed instanceof RemoteException remote) {
@@ -265,11 +272,18 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
         }
         slot.object = itself;
         slot.proxy = marshalled;
+        targets.made(object, itself, targets.orders());
       }
     } finally {
       leave();
     }
     super.activeObject(object, marshalled);
+  }
+
+  /** {@inheritDoc} Takes no lock: an object that is being made, or ended, delays no stop. */
+  @Override
+  public GroupStopAnswer emergencyStop(String by) {
+    return targets.emergencyStop(by);
   }
 
   /** While an object is being made the group stays, whatever becomes of that object. */

@@ -13,6 +13,8 @@ import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import net.jini.config.ConfigurationFile;
 import org.dfra.core.host.FreePorts;
+import org.dfra.river.phoenix.stop.StopLocator;
+import org.dfra.river.phoenix.stop.StopService;
 
 /**
  * Phoenix in the test's own virtual machine, on a free port, with its journal in the test's folder.
@@ -49,17 +51,19 @@ final class InVmPhoenix implements AutoCloseable {
             + "\"127.0.0.1\", "
             + port
             + "), new org.dfra.river.call.DeadlineILFactory(20000L), false, true,"
-            + " org.dfra.river.phoenix.Identities.";
+            + " org.dfra.river.phoenix.";
     String text =
         "org.dfra.river.phoenix { persistenceDirectory = \""
             + folder.resolve("journal")
             + "\"; registryPort = -1; permittedCommands = new String[] { \"*\" }; activator"
             + exporter
-            + "ACTIVATOR); system"
+            + "Identities.ACTIVATOR); system"
             + exporter
-            + "SYSTEM); monitor"
+            + "Identities.SYSTEM); monitor"
             + exporter
-            + "MONITOR); "
+            + "Identities.MONITOR); stop"
+            + exporter
+            + "stop.StopLocator.IDENTITY); "
             + String.join(" ", entries)
             + "}";
     phoenix = Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0]));
@@ -74,6 +78,10 @@ final class InVmPhoenix implements AutoCloseable {
 
   ActivationSystem system() {
     return PhoenixLocator.system("127.0.0.1", port, PATIENCE);
+  }
+
+  StopService stopService() {
+    return StopLocator.at("127.0.0.1", port, PATIENCE);
   }
 
   PhoenixAdmin admin() {
