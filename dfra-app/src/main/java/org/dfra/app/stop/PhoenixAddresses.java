@@ -99,6 +99,14 @@ final class PhoenixAddresses {
     }
   }
 
+  /** Those of the computers of the lookup services that were named. May wait for their names. */
+  List<Address> ofLocators() {
+    return options.namedLocators().stream()
+        .flatMap(each -> parse(each).stream())
+        .flatMap(each -> ofRegistrar(each.host()).stream())
+        .toList();
+  }
+
   /**
    * That of the computer on which a lookup service runs, at the usual port. Empty for this computer:
    * its phoenix is the one of the state folder.

@@ -133,6 +133,7 @@ public final class StopCommand implements Callable<Integer> {
       PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes);
       if (!release) { // before all else: it needs no lookup service and no class of others
         addresses.configured(silent::add).forEach(each -> order(round, each));
+        round.findLocal(() -> addresses.ofLocators().forEach(each -> order(round, each)));
       }
       round.findLocal(() -> callLocal(round));
       try {
@@ -148,7 +149,11 @@ public final class StopCommand implements Callable<Integer> {
         addresses.configured(unused -> {}).stream()
             .map(PhoenixAddresses.Address::toString)
             .filter(round.confirmations().silent()::contains)
-            .map(each -> "no phoenix answers at " + each + "; what it runs may not be stopped")
+            .map(
+                each ->
+                    "the phoenix at "
+                        + each
+                        + " does not answer the order to stop; what it runs may not be stopped")
             .forEach(silent::add);
       }
       return report(outcomes, silent);

@@ -56,6 +56,7 @@ final class StopRound implements AutoCloseable {
   private final Map<UUID, Asked> listed = new LinkedHashMap<>(); // guarded by this
   private final Map<String, List<Asked>> local = new LinkedHashMap<>(); // guarded by this
   private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
+  private int questions = ASKED_AGAIN; // that are left; by the thread that waits for the outcomes
 
   /**
    * @param failed what has become of an effector that was not reached
@@ -194,7 +195,10 @@ final class StopRound implements AutoCloseable {
     return message == null ? cause.toString() : message.lines().findFirst().orElse("").strip();
   }
 
-  /** Waits for all that were called, and tells what has become of each. */
+  /**
+   * Waits for all that were called and tells what has become of each. Phoenixes that have not
+   * confirmed everything are asked again, by the first call only.
+   */
   List<Outcome> outcomes() {
     List<CompletableFuture<Void>> searching;
     synchronized (this) {
@@ -215,7 +219,8 @@ final class StopRound implements AutoCloseable {
         (path, all) ->
             reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));
     phoenixes.answered().join();
-    for (int i = 0; i < ASKED_AGAIN && !phoenixes.now().isComplete(); i++) {
+    while (questions > 0 && !phoenixes.now().isComplete()) {
+      questions--;
       phoenixes.askAgain(); // what was late, or started to be stopped
       phoenixes.answered().join();
     }
