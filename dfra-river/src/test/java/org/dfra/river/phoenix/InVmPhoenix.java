@@ -11,6 +11,7 @@ import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
+import java.util.Properties;
 import net.jini.config.ConfigurationFile;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.phoenix.stop.StopLocator;
@@ -91,6 +92,20 @@ final class InVmPhoenix implements AutoCloseable {
   /** Registers a group whose process does nothing. */
   ActivationGroupID group() throws Exception {
     return system().registerGroup(command(idle));
+  }
+
+  /**
+   * The same, with a name.
+   *
+   * @param name {@code robot.group}
+   */
+  ActivationGroupID group(String name) throws Exception {
+    Properties properties = new Properties();
+    properties.setProperty(Phoenix.GROUP_NAME, name);
+    return system()
+        .registerGroup(
+            new ActivationGroupDesc(
+                properties, new ActivationGroupDesc.CommandEnvironment(idle, new String[0])));
   }
 
   /** A descriptor with a command. */
