@@ -42,7 +42,8 @@ public final class WheeledRobot implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** Variables that name other robots than this one. */
-  private static final List<String> OTHERS = List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST");
+  private static final List<String> OTHERS = 
+      List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST", "DFRA_PHOENIX");
 
   /** What a command has answered. */
   public record Said(int status, String text) {}

@@ -28,9 +28,6 @@ record Confirmations(
     List<UnconfirmedGroup> unconfirmed,
     List<String> silent) {
 
-  /** Where no phoenix was asked. */
-  static final Confirmations NONE = new Confirmations(Map.of(), Set.of(), List.of(), List.of());
-
   /**
    * Those of several phoenixes.
    *

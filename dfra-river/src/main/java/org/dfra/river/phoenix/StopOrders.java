@@ -2,6 +2,9 @@ package org.dfra.river.phoenix;
 
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
+import java.rmi.server.UID;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -16,6 +19,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 import org.dfra.flow.effector.StopState;
 import org.dfra.river.call.CallThreads;
 import org.dfra.river.phoenix.Group.Maker;
@@ -148,12 +152,24 @@ final class StopOrders implements StopService {
 
   /** Those of a group's objects that are, or may be, effectors and did not answer. */
   private List<ActivatableObject> missing(Group group, GroupStopAnswer answer) {
-    Set<Object> answered = new HashSet<>(answer.others());
-    answer.effectors().stream().map(Stopped::object).forEach(answered::add);
+    Set<UID> answered = new HashSet<>();
+    Stream.concat(
+            answer.effectors().stream().map(Stopped::object), answer.others().stream())
+        .forEach(id -> uid(id).ifPresent(answered::add));
     return daemon.registered().objects(group).stream()
         .filter(StopOrders::mayBeEffector)
-        .filter(each -> !answered.contains(daemon.registered().activationID(each.uid)))
+        .filter(each -> !answered.contains(each.uid))
         .toList();
+  }
+
+  /** By it, and not by its ID: a group may know phoenix at a former address. */
+  private static Optional<UID> uid(ActivationID id) {
+    try {
+      return Optional.of(ActivatorService.uid(id));
+    } catch (UnknownObjectException e) {
+      LOG.debug("A group answered for an object that is not phoenix's.", e);
+      return Optional.empty();
+    }
   }
 
   private boolean mayHaveEffectors(Group group) {
