@@ -42,7 +42,7 @@ public final class WheeledRobot implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** Variables that name other robots than this one. */
-  private static final List<String> OTHERS = 
+  private static final List<String> OTHERS =
       List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST", "DFRA_PHOENIX");
 
   /** What a command has answered. */

@@ -19,6 +19,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.dfra.flow.effector.StopState;
 import org.dfra.river.call.CallThreads;
@@ -49,8 +50,12 @@ final class StopOrders implements StopService {
   /** More than the 0.9 s that a group takes at the most. */
   private static final Duration PATIENCE = Duration.ofMillis(1200);
 
+  /** Time between two warnings in the log. */
+  private static final Duration WARNINGS = Duration.ofSeconds(10);
+
   private final Daemon daemon;
   private final Duration patience;
+  private final AtomicLong warned = new AtomicLong(System.nanoTime() - WARNINGS.toNanos());
   private final Executor threads = CallThreads.pool("phoenix-stop-");
   private final Map<Group, Orders> orders = new ConcurrentHashMap<>();
 
@@ -84,7 +89,7 @@ final class StopOrders implements StopService {
             orders.computeIfAbsent(group, unused -> new Orders()).add(() -> ask(group, requester)));
       }
     }
-    LOG.warn("Emergency stop by {}: {} groups are ordered to stop.", requester, asked.size());
+    note(requester, asked.size());
     List<EffectorStop> effectors = new ArrayList<>();
     List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
     asked.forEach(
@@ -109,13 +114,25 @@ final class StopOrders implements StopService {
             Thread.currentThread().interrupt();
             unconfirmed.add(unconfirmed(group, "phoenix was interrupted while it waited for it"));
           } catch (ExecutionException e) {
-            LOG.warn("Group {} was not stopped.", group.name, e.getCause());
+            LOG.debug("Group {} was not stopped.", group.name, e.getCause()); // the report says so
             unconfirmed.add(unconfirmed(group, "phoenix cannot reach it: " + reason(e)));
           }
         });
     List<String> known =
         groups.stream().map(Group::robot).filter(each -> !each.isEmpty()).distinct().sorted().toList();
     return new StopReport(known, effectors, unconfirmed);
+  }
+
+  /** Anybody may call, so that the log must not grow with the calls. */
+  private void note(String requester, int groups) {
+    String what = "Emergency stop by {}: {} groups are ordered to stop.";
+    long now = System.nanoTime();
+    long before = warned.get();
+    if (now - before >= WARNINGS.toNanos() && warned.compareAndSet(before, now)) {
+      LOG.warn(what, requester, groups);
+    } else {
+      LOG.debug(what, requester, groups);
+    }
   }
 
   private static UnconfirmedGroup unconfirmed(Group group, String reason) {
@@ -192,7 +209,7 @@ final class StopOrders implements StopService {
       try {
         Object unused = each.activate(daemon.registered().activationID(each.uid), false);
       } catch (ActivationException e) { // unregistered meanwhile, or it crashes: it is reported
-        LOG.warn("An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
+        LOG.debug("An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
       }
     }
     try {
@@ -201,7 +218,7 @@ final class StopOrders implements StopService {
         GroupStopAnswer unused = order(maker.get(), group, by);
       }
     } catch (RemoteException e) {
-      LOG.warn("What was started in group {} was not stopped: {}", group.name, e.toString());
+      LOG.debug("What was started in group {} was not stopped: {}", group.name, e.toString());
     }
   }
 
