@@ -83,7 +83,7 @@ final class StopOrders implements StopService {
     long end = System.nanoTime() + patience.toNanos();
     Map<Group, CompletableFuture<Answer>> asked = new LinkedHashMap<>();
     for (Group group : groups) {
-      if ((wanted.isEmpty() || wanted.contains(group.robot())) && mayHaveEffectors(group)) {
+      if (wanted.isEmpty() || wanted.contains(group.robot())) { // it may have a forgotten effector
         asked.put(
             group,
             orders.computeIfAbsent(group, unused -> new Orders()).add(() -> ask(group, requester)));
@@ -118,6 +118,7 @@ final class StopOrders implements StopService {
             unconfirmed.add(unconfirmed(group, "phoenix cannot reach it: " + reason(e)));
           }
         });
+    unconfirmed.removeIf(each -> hasNoEffectors(each, asked.keySet()));
     List<String> known =
         groups.stream().map(Group::robot).filter(each -> !each.isEmpty()).distinct().sorted().toList();
     return new StopReport(known, effectors, unconfirmed);
@@ -189,8 +190,12 @@ final class StopOrders implements StopService {
     }
   }
 
-  private boolean mayHaveEffectors(Group group) {
-    return daemon.registered().objects(group).stream().anyMatch(StopOrders::mayBeEffector);
+  /** A registrar's group, say: whatever has become of it, no effector is in doubt. */
+  private boolean hasNoEffectors(UnconfirmedGroup unconfirmed, Set<Group> groups) {
+    return groups.stream()
+        .filter(group -> group.plainName().equals(unconfirmed.group()))
+        .flatMap(group -> daemon.registered().objects(group).stream())
+        .noneMatch(StopOrders::mayBeEffector);
   }
 
   /** A class that phoenix does not have may be anything. */
