@@ -15,6 +15,7 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.StopState;
 import org.dfra.geometry.Transform;
 import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.History;
 import org.dfra.module.Identification;
@@ -117,7 +118,7 @@ final class HostileModule implements InvocationHandler, Serializable {
       case "leases" ->
           List.of(
               new LeaseStatus(
-                  UUID.randomUUID(),
+                  new LeaseHandle(UUID.randomUUID()),
                   Holder.COMMANDER,
                   TEXT,
                   Instant.EPOCH,

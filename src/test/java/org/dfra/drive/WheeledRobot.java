@@ -37,15 +37,16 @@ import org.dfra.testing.TalkingProcess;
  */
 public final class WheeledRobot implements AutoCloseable {
 
-  static final String HOST = "127.0.0.1";
+  public static final String HOST = "127.0.0.1";
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** Variables that name other robots than this one. */
-  private static final List<String> OTHERS = List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST");
+  private static final List<String> OTHERS =
+      List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST", "DFRA_PHOENIX");
 
   /** What a command has answered. */
-  record Said(int status, String text) {}
+  public record Said(int status, String text) {}
 
   private final Wheels wheels;
   private final LivingPhoenix phoenix;
@@ -167,11 +168,23 @@ public final class WheeledRobot implements AutoCloseable {
 
   /** What {@code ./dfra} answers that knows the robots of this phoenix, and no others. */
   Said dfra(String... words) throws Exception {
+    return process(phoenix.process().state(), words);
+  }
+
+  /** What {@code ./dfra stop} answers on a computer that knows no robot: it asks this registrar. */
+  public Said stopFromElsewhere(Path state, String... words) throws Exception {
+    List<String> all = new ArrayList<>(List.of("stop", "--team=", "--host=" + HOST));
+    all.addAll(List.of("--wait=20", "--locator=" + locator));
+    all.addAll(List.of(words));
+    return process(state, all.toArray(String[]::new));
+  }
+
+  private static Said process(Path state, String... words) throws Exception {
     List<String> command =
         new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
     command.add("org.dfra.app.Main");
     command.addAll(List.of(words));
-    command.add("--state=" + phoenix.process().state());
+    command.add("--state=" + state);
     ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
     builder.environment().keySet().removeAll(OTHERS);
     Process asked = builder.start();

@@ -30,6 +30,8 @@ record Outcome(
     STOPPED_ALREADY("was stopped already"),
     /** It obeys nobody, but its driver could not be told to come to rest yet. */
     NOT_AT_REST("NOT AT REST"),
+    /** Something says that it is stopped, and its phoenix does not confirm that. */
+    DOUBTFUL("DOUBTFUL"),
     /** It was not reached, or not stopped. */
     NOT_STOPPED("NOT STOPPED"),
     /** It may be commanded again. */

@@ -8,6 +8,7 @@ import java.rmi.activation.ActivationException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -22,18 +23,16 @@ import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.directory.DirectoryListener;
-import org.dfra.directory.ModuleListing;
-import org.dfra.directory.ModuleQuery;
-import org.dfra.directory.Watch;
 import org.dfra.flow.effector.Effector;
 import org.dfra.flow.effector.StopState;
-import org.dfra.module.Module;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.Inventory;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.call.Refusal;
-import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.lookup.EffectorSearch;
+import org.dfra.river.lookup.ListedEffector;
+import org.dfra.river.phoenix.stop.StopLocator;
+import org.dfra.river.phoenix.stop.StopService;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -52,10 +51,12 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "It asks for no lease and is never refused; whoever commands loses the command.",
-      "Each effector that is found is called at once, and once more where it does not",
-      "answer. The stop outlives every process. Releasing it moves nothing: who wants",
-      "to command asks anew. Ends with 0 only if every effector that is known was",
-      "stopped, with 3 if none is known, with 4 if one did not answer.",
+      "The phoenix of each known robot is ordered at once to stop all that it runs.",
+      "Each effector that is found is called at once too, and once more where it does",
+      "not answer. The stop outlives every process. Releasing it moves nothing: who",
+      "wants to command asks anew. Ends with 0 only if every effector that is known was",
+      "stopped, with 3 if none is known, with 4 if one did not answer or its phoenix",
+      "does not confirm what its proxy says.",
       "It is no replacement for the robot's own emergency stop."
     })
 public final class StopCommand implements Callable<Integer> {
@@ -71,6 +72,16 @@ public final class StopCommand implements Callable<Integer> {
   @Option(names = "--release", description = "End the emergency stop instead.")
   private boolean release;
 
+  @Option(
+      names = "--phoenix",
+      paramLabel = "HOST[:PORT][,...]",
+      hideParamSyntax = true,
+      split = ",",
+      description =
+          "Phoenixes to order directly, besides those of this computer and of the computers of"
+              + " registrars (default: those of DFRA_PHOENIX).")
+  private String @Nullable [] phoenixes;
+
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private TeamOptions options;
@@ -78,6 +89,9 @@ public final class StopCommand implements Callable<Integer> {
   @Spec
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
+
+  /** A phoenix that does not answer is given up so much before its try ends. */
+  private static final Duration MARGIN = Duration.ofMillis(200);
 
   private final Set<Outcome> said = new HashSet<>(); // guarded by itself
   private final long begun = System.nanoTime();
@@ -109,11 +123,19 @@ public final class StopCommand implements Callable<Integer> {
     by = requester();
     try (StopRound round =
         new StopRound(
-            release ? Result.NOT_RELEASED : Result.NOT_STOPPED, StopRound.TRY, this::say)) {
+            release ? Result.NOT_RELEASED : Result.NOT_STOPPED,
+            StopRound.TRY,
+            this::say,
+            new StopMerge(by, this::running))) {
+      List<String> silent = Collections.synchronizedList(new ArrayList<>());
+      PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes);
+      if (!release) { // before all else: it needs no lookup service and no class of others
+        addresses.configured(silent::add).forEach(each -> order(round, each));
+        round.findLocal(() -> addresses.ofLocators().forEach(each -> order(round, each)));
+      }
       round.findLocal(() -> callLocal(round));
-      List<String> silent = new ArrayList<>();
       try {
-        silent.addAll(callListed(round));
+        silent.addAll(callListed(round, addresses));
       } catch (IOException
           | ConfigurationException e) { // this host's effectors are called all the same
         silent.add("no lookup service can be looked for: " + e.getMessage());
@@ -121,6 +143,17 @@ public final class StopCommand implements Callable<Integer> {
       List<Outcome> outcomes =
           round.outcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
       silent.addAll(robotsWithout(outcomes));
+      if (!release) {
+        addresses.configured(unused -> {}).stream()
+            .map(PhoenixAddresses.Address::toString)
+            .filter(round.confirmations().silent()::contains)
+            .map(
+                each ->
+                    "the phoenix at "
+                        + each
+                        + " does not answer the order to stop; what it runs may not be stopped")
+            .forEach(silent::add);
+      }
       return report(outcomes, silent);
     }
   }
@@ -144,7 +177,12 @@ public final class StopCommand implements Callable<Integer> {
       return Outcome.ofRelease(path, by, effector.releaseStop(by));
     }
     StopState now = effector.emergencyStop(by);
-    return Outcome.ofStop(path, Duration.ofNanos(System.nanoTime() - begun), now);
+    return Outcome.ofStop(path, running(), now);
+  }
+
+  /** For how long this command has run. */
+  private Duration running() {
+    return Duration.ofNanos(System.nanoTime() - begun);
   }
 
   /** On a thread of the round's: phoenix may not answer, and the lookup services must not wait. */
@@ -175,36 +213,58 @@ public final class StopCommand implements Callable<Integer> {
     }
   }
 
-  /** Calls each as soon as it is found; returns the named lookup services that do not answer. */
-  private List<String> callListed(StopRound round) throws IOException, InterruptedException {
-    List<String> unasked = new ArrayList<>();
-    try (JiniModuleDirectory directory = options.urgentDirectory(unasked::add);
-        Watch unused =
-            directory.listen(
-                ModuleQuery.of(Module.class),
-                new DirectoryListener<Module>() {
-                  @Override
-                  public void matched(ModuleListing<Module> listing) {
-                    callListed(round, listing);
-                  }
-                })) {
-      List<String> silent = directory.awaitFirstLook(options.urgentPatience());
-      directory
-          .find(ModuleQuery.of(Module.class))
-          .forEach(listing -> callListed(round, listing)); // whom the listener has yet to hear of
+  private void order(StopRound round, PhoenixAddresses.Address address) {
+    StopService phoenix =
+        StopLocator.at(address.host(), address.port(), StopRound.TRY.minus(MARGIN));
+    List<String> wanted = all ? List.of() : List.copyOf(robots);
+    round.askPhoenix(address.toString(), () -> phoenix.emergencyStop(wanted, by));
+  }
+
+  /** Calls each as soon as it is read; returns the named lookup services that do not answer. */
+  private List<String> callListed(StopRound round, PhoenixAddresses addresses)
+      throws IOException, InterruptedException {
+    List<String> unasked = Collections.synchronizedList(new ArrayList<>());
+    EffectorSearch.Listener listener =
+        new EffectorSearch.Listener() {
+          @Override
+          public void registrarAt(String host) {
+            if (!release) {
+              addresses.ofRegistrar(host).ifPresent(each -> order(round, each));
+            }
+          }
+
+          @Override
+          public void found(ListedEffector effector) {
+            callListed(round, effector);
+          }
+        };
+    try (EffectorSearch search =
+        options.urgentSearch(all ? List.of() : robots, listener, unasked::add)) {
+      List<String> silent = search.awaitRead(options.urgentPatience());
       List<String> named = options.namedLocators();
-      round.outcomes(); // the directory is needed as long as its proxies are called
+      List<Outcome> unused = round.outcomes(); // the search is open while its proxies are called
+      unasked.addAll(search.unread());
       silent.stream()
           .filter(each -> named.contains(each.replaceAll("/$", "")))
           .map(each -> "no lookup service answers at " + each + "; what it knows of was not called")
           .forEach(unasked::add);
-      return unasked;
+      return List.copyOf(unasked);
     }
   }
 
-  private void callListed(StopRound round, ModuleListing<Module> listing) {
-    if (listing.module() instanceof Effector<?> effector && isWanted(listing.robot())) {
-      round.callListed(listing.id(), listing.path(), () -> call(listing.path(), effector));
+  private void callListed(StopRound round, ListedEffector listed) {
+    if (isWanted(listed.robot())) {
+      @Nullable Effector<?> effector = listed.effector();
+      round.callListed(
+          listed.id(),
+          listed.path(),
+          () -> {
+            if (effector == null) {
+              throw new IOException(
+                  "its proxy cannot be read here; look whether it is of another version of DFRA");
+            }
+            return call(listed.path(), effector);
+          });
     }
   }
 

@@ -5,60 +5,99 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import org.dfra.app.stop.Outcome.Result;
+import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other.
  * Where a call fails or is not answered in time, it is made once more.
  *
- * <p>An effector may be reached in two ways: by its proxy from a lookup service, and on its own
- * host by phoenix. The second counts only where the first has failed or there is none.
+ * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
+ * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what
+ * their answers mean.
  *
- * <p>Threads: {@code dfra-stop}, one for each call under way; {@link #close} abandons those that
- * are still not answered.
+ * <p>Threads: {@code dfra-stop}, one for each call under way, of calls by proxies {@value
+ * #LISTED_THREADS} at the most; {@link #close} abandons those that are still not answered.
  */
 final class StopRound implements AutoCloseable {
 
   /** For one of two tries. A stop waits for its driver for half a second, and writes to a disk. */
   static final Duration TRY = Duration.ofSeconds(3);
 
+  /** Anybody may register proxies that never answer. */
+  private static final int LISTED_THREADS = 128;
+
+  /** How often phoenixes are asked again whose groups have not confirmed. */
+  private static final int ASKED_AGAIN = 2;
+
   private record Asked(String path, CompletableFuture<Outcome> outcome) {}
 
   private final Result failed;
   private final Duration patience;
   private final Consumer<Outcome> well;
-  private final ExecutorService threads =
-      Executors.newCachedThreadPool(
-          task -> {
-            Thread thread = new Thread(task, "dfra-stop");
-            thread.setDaemon(true);
-            return thread;
-          });
+  private final StopMerge merge;
+  private final ExecutorService threads = Executors.newCachedThreadPool(StopRound::thread);
+  private final ExecutorService listedThreads =
+      Executors.newFixedThreadPool(LISTED_THREADS, StopRound::thread);
+  private final PhoenixAnswers phoenixes;
 
   private final Map<UUID, Asked> listed = new LinkedHashMap<>(); // guarded by this
   private final Map<String, List<Asked>> local = new LinkedHashMap<>(); // guarded by this
   private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
+  private int questions = ASKED_AGAIN; // that are left; by the thread that waits for the outcomes
 
   /**
    * @param failed what has become of an effector that was not reached
    * @param patience for one of two tries
-   * @param well is told at once of each effector that a lookup service holds and all is well with;
-   *     by any thread
+   * @param well is given the outcome of each effector at once that all is well with, by any thread;
+   *     not of those that only {@link #callLocal} reaches
+   * @param merge decides what the answers mean
    */
-  StopRound(Result failed, Duration patience, Consumer<Outcome> well) {
+  StopRound(Result failed, Duration patience, Consumer<Outcome> well, StopMerge merge) {
     this.failed = failed;
     this.patience = patience;
     this.well = well;
+    this.merge = merge;
+    this.phoenixes = new PhoenixAnswers(patience, threads, this::publish);
+  }
+
+  private static Thread thread(Runnable task) {
+    Thread thread = new Thread(task, "dfra-stop");
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /**
+   * Orders a phoenix to stop what it runs; nothing happens where it was ordered already.
+   *
+   * @param address {@code host:port}
+   */
+  void askPhoenix(String address, PhoenixAnswers.Order order) {
+    phoenixes.ask(address, order);
+  }
+
+  private void publish(StopReport report) {
+    report.effectors().stream()
+        .map(merge::ofPhoenix)
+        .filter(each -> each.result().isWell())
+        .forEach(well);
+  }
+
+  /** What the phoenixes have confirmed by now. */
+  Confirmations confirmations() {
+    return phoenixes.now();
   }
 
   /**
@@ -70,18 +109,28 @@ final class StopRound implements AutoCloseable {
    */
   synchronized void callListed(UUID id, String path, Callable<Outcome> call) {
     if (!listed.containsKey(id)) {
-      Asked asked = new Asked(path, twice(path, call));
+      Asked asked = new Asked(path, twice(path, call, listedThreads));
       listed.put(id, asked);
       CompletableFuture<Void> unused =
           asked
               .outcome()
-              .thenAccept(
-                  outcome -> {
-                    if (outcome.result().isWell()) {
-                      well.accept(outcome);
-                    }
-                  });
+              .thenCombine(
+                  phoenixes.answered(), (outcome, answered) -> counted(id, path, outcome))
+              .thenAccept(counts -> counts.ifPresent(well));
     }
+  }
+
+  /** The outcome, if it is well and counts by the proxy's own word. */
+  private Optional<Outcome> counted(UUID id, String path, Outcome outcome) {
+    Confirmations now = phoenixes.now();
+    if (now.stops().containsKey(id) || !outcome.result().isWell()) {
+      return Optional.empty(); // the first was published as its phoenix reported it
+    }
+    return merge
+        .merge(List.of(new StopMerge.Claim(id, path, outcome)), Map.of(), now)
+        .stream()
+        .filter(each -> each.equals(outcome))
+        .findFirst();
   }
 
   /**
@@ -107,26 +156,30 @@ final class StopRound implements AutoCloseable {
   synchronized void callLocal(String path, Callable<Outcome> call) {
     local
         .computeIfAbsent(path, unused -> new ArrayList<>())
-        .add(new Asked(path, twice(path, call)));
+        .add(new Asked(path, twice(path, call, threads)));
   }
 
-  private CompletableFuture<Outcome> twice(String path, Callable<Outcome> call) {
-    return once(call)
-        .exceptionallyCompose(unused -> once(call))
+  private CompletableFuture<Outcome> twice(
+      String path, Callable<Outcome> call, Executor executor) {
+    return once(call, executor)
+        .exceptionallyCompose(unused -> once(call, executor))
         .exceptionally(failure -> new Outcome(path, failed, null, null, reason(failure)));
   }
 
-  private CompletableFuture<Outcome> once(Callable<Outcome> call) {
-    return CompletableFuture.supplyAsync(
-            () -> {
-              try {
-                return call.call();
-              } catch (Exception e) { // as Callable declares it; it is told as the reason
-                throw new CompletionException(e);
-              }
-            },
-            threads)
-        .orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
+  private CompletableFuture<Outcome> once(Callable<Outcome> call, Executor executor) {
+    CompletableFuture<Outcome> answer = new CompletableFuture<>();
+    executor.execute(
+        () -> {
+          if (answer.isDone()) {
+            return; // it waited for too long behind others
+          }
+          try {
+            answer.complete(call.call());
+          } catch (Exception | Error e) { // a proxy may throw anything; it is told as the reason
+            answer.completeExceptionally(e);
+          }
+        });
+    return answer.orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** One line: the causes of remote failures are told on lines of their own. */
@@ -142,38 +195,41 @@ final class StopRound implements AutoCloseable {
     return message == null ? cause.toString() : message.lines().findFirst().orElse("").strip();
   }
 
-  /** Waits for all that were called, and tells what has become of each. */
+  /**
+   * Waits for all that were called and tells what has become of each. Phoenixes that have not
+   * confirmed everything are asked again, by the first call only.
+   */
   List<Outcome> outcomes() {
     List<CompletableFuture<Void>> searching;
     synchronized (this) {
       searching = List.copyOf(searches);
     }
     searching.forEach(CompletableFuture::join); // what they find is counted
-    List<Asked> byLookup;
+    Map<UUID, Asked> byLookup;
     Map<String, List<Asked>> here;
     synchronized (this) {
-      byLookup = List.copyOf(listed.values());
+      byLookup = new LinkedHashMap<>(listed);
       here = new LinkedHashMap<>(local);
     }
-    List<Outcome> outcomes = new ArrayList<>();
-    for (Asked each : byLookup) {
-      Outcome outcome = each.outcome().join();
-      List<Asked> otherWays = here.getOrDefault(each.path(), List.of());
-      if (otherWays.size() == 1) { // several of one name are several effectors: each has to stop
-        here.remove(each.path());
-        if (!outcome.result().isWell()) {
-          Outcome other = otherWays.get(0).outcome().join();
-          outcome = other.result().isWell() ? other : outcome;
-        }
-      }
-      outcomes.add(outcome);
+    List<StopMerge.Claim> claims = new ArrayList<>();
+    byLookup.forEach(
+        (id, each) -> claims.add(new StopMerge.Claim(id, each.path(), each.outcome().join())));
+    Map<String, List<Outcome>> reached = new LinkedHashMap<>();
+    here.forEach(
+        (path, all) ->
+            reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));
+    phoenixes.answered().join();
+    while (questions > 0 && !phoenixes.now().isComplete()) {
+      questions--;
+      phoenixes.askAgain(); // what was late, or started to be stopped
+      phoenixes.answered().join();
     }
-    here.values().forEach(all -> all.forEach(each -> outcomes.add(each.outcome().join())));
-    return outcomes;
+    return merge.merge(claims, reached, phoenixes.now());
   }
 
   @Override
   public void close() {
     threads.shutdownNow();
+    listedThreads.shutdownNow();
   }
 }

@@ -1,6 +1,13 @@
 /**
- * The emergency stop of every robot that can be reached. Enter at {@link
- * org.dfra.app.stop.StopCommand}; whom it calls, and how often, is {@link
+ * The emergency stop of every robot that can be reached.
+ *
+ * <pre>
+ *   PhoenixAddresses --&gt; PhoenixAnswers  each phoenix, directly     -+
+ *   EffectorSearch   --&gt; StopRound       each proxy, as it is read  -+-&gt; StopMerge --&gt; Outcome
+ *   LocalEffectors   --&gt; StopRound       by this host's phoenix     -+
+ * </pre>
+ *
+ * <p>Enter at {@link org.dfra.app.stop.StopCommand}; whom it calls, and how often, is {@link
  * org.dfra.app.stop.StopRound}'s.
  */
 @NullMarked

@@ -18,6 +18,7 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.call.CallbackHost;
+import org.dfra.river.lookup.EffectorSearch;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
@@ -99,15 +100,21 @@ public final class TeamOptions {
   }
 
   /**
-   * As {@link #directory}, for an emergency: what is set wrongly is remarked and left out, and
-   * everything else is asked all the same.
+   * Looks in the same lookup services for effectors, for an emergency: what is set wrongly is
+   * remarked and left out, and everything else is asked all the same.
    *
+   * @param robots whose effectors are wanted, by name; all if empty
+   * @param listener is given what is found
    * @param unasked is given a sentence about each named lookup service that cannot be asked
    */
-  public JiniModuleDirectory urgentDirectory(Consumer<String> unasked) throws IOException {
+  public EffectorSearch urgentSearch(
+      List<String> robots, EffectorSearch.Listener listener, Consumer<String> unasked)
+      throws IOException {
     Set<String> locators = new LinkedHashSet<>();
+    List<String> known = new ArrayList<>();
     try {
       for (RobotDescription robot : knownRobots()) {
+        known.add(robot.name());
         try {
           addLocator(robot, locators);
         } catch (ConfigurationException e) { // its address is no longer this computer's, say
@@ -126,14 +133,12 @@ public final class TeamOptions {
         unasked.accept("the lookup service " + named + " cannot be asked: " + e.getMessage());
       }
     }
-    String here;
     try {
-      here = here();
+      String unused = here();
     } catch (ConfigurationException e) {
       answer.remark(e.getMessage() + "; one is chosen now");
-      here = HostAddress.resolve(HostAddress.AUTO);
     }
-    return new JiniModuleDirectory(here, groups(), new ArrayList<>(locators));
+    return new EffectorSearch(groups(), new ArrayList<>(locators), robots, known, listener);
   }
 
   /** As {@link #patience}, for an emergency: what is set wrongly is remarked and left out. */

@@ -1,8 +1,10 @@
 package org.dfra.app.stop;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.rmi.ConnectException;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -14,6 +16,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.flow.effector.StopState;
+import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.StopReport;
+import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -28,8 +33,9 @@ class StopRoundTest {
 
   private final BlockingQueue<Outcome> well = new LinkedBlockingQueue<>();
   private final CountDownLatch end = new CountDownLatch(1);
+  private final StopMerge merge = new StopMerge("the test", () -> RUNNING);
   private final StopRound round =
-      new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), well::add);
+      new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), well::add, merge);
 
   @AfterEach
   void close() {
@@ -62,7 +68,8 @@ class StopRoundTest {
   @Test
   void whatIsNotAnsweredInTimeIsTriedOnceMoreAndTold() {
     AtomicInteger calls = new AtomicInteger();
-    try (StopRound brief = new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), well::add)) {
+    try (StopRound brief =
+        new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), well::add, merge)) {
       brief.callListed(
           UUID.randomUUID(),
           "mute/drive",
@@ -195,5 +202,111 @@ class StopRoundTest {
     assertThat(round.outcomes())
         .extracting(each -> each.result().isWell())
         .containsExactly(true, true, false);
+  }
+
+  private static StopReport report(List<String> robots, EffectorStop... stops) {
+    return new StopReport(robots, List.of(stops), List.of());
+  }
+
+  private static EffectorStop confirmed(UUID id, String path) {
+    return new EffectorStop(id, path, false, STOPPED, null);
+  }
+
+  @Test
+  void aPhoenixConfirmsWithoutAnyLookupService() throws Exception {
+    UUID id = UUID.randomUUID();
+    round.askPhoenix(
+        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+    round.callListed(
+        id,
+        "atrv1/drive",
+        () -> {
+          throw new ConnectException("refused");
+        });
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+  }
+
+  @Test
+  void aProxyThatSaysStoppedIsDoubtedWhereThePhoenixOfItsRobotDoesNotKnowIt() {
+    UUID real = UUID.randomUUID();
+    round.askPhoenix(
+        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
+    round.callListed(real, "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), "atrv1/fake", () -> stopped("atrv1/fake"));
+    assertThat(round.outcomes())
+        .extracting(Outcome::module, Outcome::result)
+        .containsExactlyInAnyOrder(
+            tuple("atrv1/drive", Result.STOPPED), tuple("atrv1/fake", Result.DOUBTFUL));
+    assertThat(well).extracting(Outcome::module).containsOnly("atrv1/drive");
+  }
+
+  @Test
+  void aProxyIsDoubtedWhereThePhoenixThatMayRunItIsSilent() {
+    round.askPhoenix(
+        "192.0.2.7:1198",
+        () -> {
+          throw new RemoteException("it does not answer");
+        });
+    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(round.outcomes())
+        .singleElement()
+        .returns(Result.DOUBTFUL, Outcome::result)
+        .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.7:1198"));
+  }
+
+  @Test
+  void anEmbeddedRobotIsStoppedByItsOwnWordWhereNoPhoenixRuns() throws Exception {
+    round.askPhoenix(
+        "192.0.2.7:1198",
+        () -> {
+          throw new ConnectException(
+              "refused", new java.net.ConnectException("Connection refused"));
+        });
+    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+  }
+
+  @Test
+  void aPhoenixWhoseGroupWasStartedToBeStoppedIsAskedAgain() {
+    UUID id = UUID.randomUUID();
+    AtomicInteger orders = new AtomicInteger();
+    round.askPhoenix(
+        "192.0.2.7:1198",
+        () ->
+            orders.incrementAndGet() == 1
+                ? new StopReport(
+                    List.of("atrv1"),
+                    List.of(),
+                    List.of(new UnconfirmedGroup("atrv1", "atrv1.wheels", "it is started")))
+                : report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(orders).hasValue(2);
+  }
+
+  @Test
+  void aGroupThatDoesNotAnswerItsPhoenixIsADoubtAlsoWhereNothingElseIsKnownOfIt() {
+    round.askPhoenix(
+        "192.0.2.7:1198",
+        () ->
+            new StopReport(
+                List.of("atrv1"),
+                List.of(),
+                List.of(new UnconfirmedGroup("atrv1", "atrv1.wheels", "it hangs"))));
+    assertThat(round.outcomes())
+        .singleElement()
+        .returns("atrv1/ (group atrv1.wheels): DOUBTFUL: it hangs.", Outcome::inWords);
+  }
+
+  @Test
+  void proxiesThatNeverAnswerDelayNoPhoenix() throws Exception {
+    for (int i = 0; i < 3000; i++) {
+      round.callListed(UUID.randomUUID(), "fake" + i + "/drive", this::beSilent);
+    }
+    UUID id = UUID.randomUUID();
+    round.askPhoenix(
+        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 }

@@ -29,6 +29,8 @@ import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.phoenix.stop.GroupStop;
+import org.dfra.river.phoenix.stop.GroupStopAnswer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -40,7 +42,7 @@ import org.slf4j.LoggerFactory;
  * <p>Each object has a lock of its own, so that a slow constructor delays only those who want that
  * object.
  */
-public final class ActivationGroupImpl extends ActivationGroup implements Closeable {
+public final class ActivationGroupImpl extends ActivationGroup implements Closeable, GroupStop {
 
   private static final long serialVersionUID = 1L;
 
@@ -60,6 +62,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
   private final transient ReadinessReports readiness = new ReadinessReports();
+  private final transient StopTargets targets = new StopTargets();
 
   /** Held only for a moment, never while an object is made or anybody is called. */
   private final transient Object gate = new Object();
@@ -119,7 +122,10 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
-          readiness.made(object, make(slot, object, desc));
+          long orders = targets.orders();
+          Remote made = make(slot, object, desc);
+          targets.made(object, made, orders); // before its proxy is known to phoenix
+          readiness.made(object, made);
         }
         return Objects.requireNonNull(slot.proxy);
       }
@@ -250,6 +256,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       slot.object = null;
       slot.proxy = null;
       readiness.inactive(object);
+      targets.inactive(object);
     }
     leaveIfEmpty();
     if (failed instanceof RemoteException remote) {
@@ -278,11 +285,18 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
         }
         slot.object = itself;
         slot.proxy = marshalled;
+        targets.made(object, itself, targets.orders());
       }
     } finally {
       leave();
     }
     super.activeObject(object, marshalled);
+  }
+
+  /** {@inheritDoc} Takes no lock: an object that is being made, or ended, delays no stop. */
+  @Override
+  public GroupStopAnswer emergencyStop(String by) {
+    return targets.emergencyStop(by);
   }
 
   /** While an object is being made the group stays, whatever becomes of that object. */

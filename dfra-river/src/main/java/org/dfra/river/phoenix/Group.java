@@ -93,6 +93,31 @@ final class Group {
     }
   }
 
+  /** The instantiator of the group's process; empty where there is none. Starts nothing. */
+  Optional<Maker> active() {
+    lock.lock();
+    try {
+      @Nullable ActivationInstantiator instantiator = current.instantiator();
+      return instantiator == null
+          ? Optional.empty()
+          : Optional.of(new Maker(instantiator, current.number()));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The group's name without the number that phoenix gave it: {@code robot.group}. */
+  String plainName() {
+    return name.substring(name.indexOf('-') + 1);
+  }
+
+  /** The name of its robot; empty for a group of no robot. */
+  String robot() {
+    String plain = plainName();
+    int dot = plain.indexOf('.');
+    return dot < 0 ? "" : plain.substring(0, dot);
+  }
+
   /** Starts a process. Gives up the lock while it waits for its turn and forks. */
   private void launch() throws ActivationException {
     current = current.next();

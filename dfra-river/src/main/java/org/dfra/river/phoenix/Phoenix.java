@@ -53,6 +53,7 @@ public final class Phoenix implements AutoCloseable {
   private final ActivatorService activatorService;
   private final SystemService systemService;
   private final MonitorService monitorService;
+  private final StopOrders stopOrders;
   private final CountDownLatch closed = new CountDownLatch(1);
   private @Nullable Registry registry;
   private boolean closing; // guarded by this
@@ -70,6 +71,7 @@ public final class Phoenix implements AutoCloseable {
     this.activatorService = new ActivatorService(daemon);
     this.systemService = new SystemService(daemon, access, this::closeSoon);
     this.monitorService = new MonitorService(daemon, access);
+    this.stopOrders = new StopOrders(daemon);
   }
 
   /**
@@ -146,6 +148,7 @@ public final class Phoenix implements AutoCloseable {
     // Before the activator: a group that is about to be started must be told the right address.
     daemon.readdress(system);
     daemon.exported((Activator) export(configuration.activatorExporter(), activatorService));
+    Remote unused = export(configuration.stopExporter(), stopOrders); // its identity is known
     // Last, since callers of the system wait for it: they shall find groups and activator settled.
     systemService.exported(system, monitor);
     if (open != null) {
@@ -158,6 +161,7 @@ public final class Phoenix implements AutoCloseable {
   /** Undoes a start that failed; groups that were found alive stay so. */
   private void abandon() {
     unexport(configuration.activatorExporter());
+    unexport(configuration.stopExporter());
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
     closeRegistry();
@@ -233,6 +237,7 @@ public final class Phoenix implements AutoCloseable {
     LOG.info("Phoenix ends, and its groups with it.");
     unexport(configuration.activatorExporter());
     daemon.stop(configuration.unexportTimeout());
+    unexport(configuration.stopExporter()); // what ends slowly can be stopped meanwhile
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
     closeRegistry();

@@ -13,6 +13,7 @@ import net.jini.security.BasicProxyPreparer;
 import net.jini.security.ProxyPreparer;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.phoenix.stop.StopLocator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +30,7 @@ record PhoenixConfiguration(
     Exporter activatorExporter,
     Exporter systemExporter,
     Exporter monitorExporter,
+    Exporter stopExporter,
     ProxyPreparer instantiatorPreparer,
     String @Nullable [] groupConfig,
     @Nullable String groupLocation,
@@ -45,12 +47,13 @@ record PhoenixConfiguration(
   static final String COMPONENT = "org.dfra.river.phoenix";
 
   /** TCP port of the activation system where nothing else is configured. */
-  static final int DEFAULT_PORT = 1198;
+  static final int DEFAULT_PORT = StopLocator.DEFAULT_PORT;
 
   /** Activation includes the start of a virtual machine, so it may take longer than other calls. */
   private static final long ACTIVATION_DEADLINE_MILLIS = 30_000;
 
   private static final long REGISTRATION_DEADLINE_MILLIS = 10_000;
+  private static final long STOP_DEADLINE_MILLIS = 3_000;
 
   /** The folder of the journal. */
   static Path folder(Configuration c) throws ConfigurationException {
@@ -98,6 +101,11 @@ record PhoenixConfiguration(
             "monitorExporter",
             Exporter.class,
             exporter(host, port, identities.monitor(), REGISTRATION_DEADLINE_MILLIS)),
+        entry(
+            c,
+            "stopExporter",
+            Exporter.class,
+            exporter(host, port, StopLocator.IDENTITY, STOP_DEADLINE_MILLIS)),
         entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
         optional(c, "groupConfig", String[].class),
         optional(c, "groupLocation", String.class),

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.UUID;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
@@ -56,6 +57,7 @@ public abstract class ModuleServer<M extends Module>
   static final long DEADLINE_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
   private final String path;
+  private final UUID id;
   private final M module;
   private final ModuleImpl driver;
   private final Remote remote;
@@ -96,6 +98,7 @@ public abstract class ModuleServer<M extends Module>
     ModuleActivation activation = data.get();
     ModuleParts parts = new ModuleParts(activation);
     this.path = activation.module().path();
+    this.id = activation.id();
     try {
       // Step 2: the properties.
       Configuration configuration = parts.configuration();
@@ -199,6 +202,11 @@ public abstract class ModuleServer<M extends Module>
   /** The module's path, {@code robot/name}. */
   protected final String path() {
     return path;
+  }
+
+  /** The module's identity, its service ID in every lookup service. */
+  protected final UUID id() {
+    return id;
   }
 
   /** The driver, by the module's interface. */

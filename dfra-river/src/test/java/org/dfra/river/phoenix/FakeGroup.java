@@ -12,18 +12,27 @@ import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.phoenix.stop.GroupStop;
+import org.dfra.river.phoenix.stop.GroupStopAnswer;
 
 /** Plays the part of a group's virtual machine; each object it makes is a proxy of itself. */
-final class FakeGroup implements ActivationInstantiator, AutoCloseable {
+final class FakeGroup implements ActivationInstantiator, GroupStop, AutoCloseable {
 
   /** What happens when an object is wanted. */
   interface Making {
     void run() throws ActivationException, RemoteException;
   }
 
+  /** What happens when its effectors are to be stopped. */
+  interface Stopping {
+    GroupStopAnswer run(String by) throws RemoteException;
+  }
+
   final AtomicInteger made = new AtomicInteger();
+  final AtomicInteger ordered = new AtomicInteger();
   final ActivationInstantiator proxy;
   volatile Making making = () -> {};
+  volatile Stopping stopping = by -> GroupStopAnswer.NONE;
   private final BasicJeriExporter exporter =
       new BasicJeriExporter(
           Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(20_000L), false, true);
@@ -42,6 +51,12 @@ final class FakeGroup implements ActivationInstantiator, AutoCloseable {
     } catch (IOException e) {
       throw new RemoteException("unexpected", e);
     }
+  }
+
+  @Override
+  public GroupStopAnswer emergencyStop(String by) throws RemoteException {
+    ordered.incrementAndGet();
+    return stopping.run(by);
   }
 
   @Override

@@ -12,8 +12,11 @@ import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
+import java.util.Properties;
 import net.jini.config.ConfigurationFile;
 import org.dfra.core.host.FreePorts;
+import org.dfra.river.phoenix.stop.StopLocator;
+import org.dfra.river.phoenix.stop.StopService;
 
 /**
  * Phoenix in the test's own virtual machine, on a free port, with its journal in the test's folder.
@@ -50,21 +53,24 @@ final class InVmPhoenix implements AutoCloseable {
             + "\"127.0.0.1\", "
             + port
             + "), new org.dfra.river.call.DeadlineILFactory(20000L), false, true,"
-            + " org.dfra.river.phoenix.Identities.";
+            + " org.dfra.river.phoenix.";
     String secret = "(\"" + journal() + "\")); ";
     String text =
         "org.dfra.river.phoenix { persistenceDirectory = \""
             + journal()
             + "\"; registryPort = -1; permittedCommands = new String[] { \"*\" }; activator"
             + exporter
-            + "ACTIVATOR); system"
+            + "Identities.ACTIVATOR); system"
             + exporter
-            + "system"
+            + "Identities.system"
             + secret
             + "monitor"
             + exporter
-            + "monitor"
+            + "Identities.monitor"
             + secret
+            + "stop"
+            + exporter
+            + "stop.StopLocator.IDENTITY); "
             + String.join(" ", entries)
             + "}";
     phoenix = Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0]));
@@ -82,6 +88,10 @@ final class InVmPhoenix implements AutoCloseable {
     return port;
   }
 
+  StopService stopService() {
+    return StopLocator.at("127.0.0.1", port, PATIENCE);
+  }
+
   private Path journal() {
     return folder.resolve("journal");
   }
@@ -97,6 +107,20 @@ final class InVmPhoenix implements AutoCloseable {
   /** Registers a group whose process does nothing. */
   ActivationGroupID group() throws Exception {
     return system().registerGroup(command(idle));
+  }
+
+  /**
+   * The same, with a name.
+   *
+   * @param name {@code robot.group}
+   */
+  ActivationGroupID group(String name) throws Exception {
+    Properties properties = new Properties();
+    properties.setProperty(Phoenix.GROUP_NAME, name);
+    return system()
+        .registerGroup(
+            new ActivationGroupDesc(
+                properties, new ActivationGroupDesc.CommandEnvironment(idle, new String[0])));
   }
 
   /** A descriptor with a command. */

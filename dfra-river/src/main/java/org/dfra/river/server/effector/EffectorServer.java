@@ -4,6 +4,7 @@ import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.time.Duration;
+import java.util.UUID;
 import net.jini.core.lease.Lease;
 import org.dfra.core.effector.EffectorImpl;
 import org.dfra.core.effector.Helm;
@@ -15,6 +16,7 @@ import org.dfra.flow.effector.StopState;
 import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.lease.ModuleLandlord;
+import org.dfra.river.phoenix.stop.StopTarget;
 import org.dfra.river.remote.LeasedUse;
 import org.dfra.river.remote.effector.LeasedCommand;
 import org.dfra.river.remote.effector.RemoteEffector;
@@ -31,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  * @param <E> the effector's interface
  */
 public abstract class EffectorServer<C extends Command, E extends Effector<C>>
-    extends DeviceServer<E> implements RemoteEffector<C> {
+    extends DeviceServer<E> implements RemoteEffector<C>, StopTarget {
 
   /** See {@link ModuleServer#ModuleServer}. */
   protected EffectorServer(
@@ -42,6 +44,16 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
 
   private Helm helm() {
     return ((EffectorImpl<?>) module()).helm();
+  }
+
+  @Override
+  public final UUID moduleId() {
+    return id();
+  }
+
+  @Override
+  public final String modulePath() {
+    return path();
   }
 
   @Override

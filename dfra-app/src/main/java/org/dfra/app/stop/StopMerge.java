@@ -1,0 +1,143 @@
+package org.dfra.app.stop;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.function.Supplier;
+import org.dfra.app.stop.Outcome.Result;
+import org.dfra.flow.effector.StopState;
+import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.UnconfirmedGroup;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Decides from all answers what has become of each effector. One counts as stopped when its phoenix
+ * confirms it, by either way to it. The word of a proxy that a lookup service holds counts only for
+ * robots that no phoenix knows: anybody may have registered it.
+ */
+final class StopMerge {
+
+  private final String by;
+  private final Supplier<Duration> running;
+
+  /**
+   * @param by who stops them, as effectors keep it
+   * @param running for how long the command has run
+   */
+  StopMerge(String by, Supplier<Duration> running) {
+    this.by = by;
+    this.running = running;
+  }
+
+  /** What a proxy says that a lookup service holds. */
+  record Claim(UUID id, String path, Outcome outcome) {}
+
+  /**
+   * What has become of an effector, as it answered its phoenix. It says for how long it has been
+   * stopped: it was stopped already where somebody else did it, or it was before this command began.
+   */
+  Outcome ofPhoenix(EffectorStop stop) {
+    @Nullable StopState state = stop.state();
+    if (state == null) {
+      return new Outcome(stop.path(), Result.NOT_STOPPED, null, null, stop.fault());
+    }
+    boolean isAnothers = stop.wasStopped() && !by.equals(state.by());
+    return Outcome.ofStop(stop.path(), isAnothers ? Duration.ZERO : running.get(), state);
+  }
+
+  /**
+   * All outcomes.
+   *
+   * @param claims what proxies say
+   * @param local by path, what this host's effectors say that its phoenix's administrator reached
+   * @param confirmations what phoenixes say
+   */
+  List<Outcome> merge(
+      List<Claim> claims, Map<String, List<Outcome>> local, Confirmations confirmations) {
+    Map<String, List<Outcome>> here = new LinkedHashMap<>(local);
+    Map<UUID, Outcome> claimed = new LinkedHashMap<>();
+    claims.forEach(each -> claimed.put(each.id(), each.outcome()));
+    List<Outcome> outcomes = new ArrayList<>();
+    confirmations
+        .stops()
+        .values()
+        .forEach(stop -> outcomes.add(known(stop, claimed.get(stop.id()), here)));
+    for (Claim claim : claims) {
+      if (!confirmations.stops().containsKey(claim.id())) {
+        outcomes.add(unknown(claim, here, confirmations));
+      }
+    }
+    here.values().forEach(outcomes::addAll);
+    for (UnconfirmedGroup group : confirmations.unconfirmed()) {
+      if (outcomes.stream().noneMatch(each -> isOpen(each, group.robot()))) {
+        outcomes.add(
+            new Outcome(
+                group.robot() + "/ (group " + group.group() + ")",
+                Result.DOUBTFUL,
+                null,
+                null,
+                group.reason()));
+      }
+    }
+    return outcomes;
+  }
+
+  /** An effector of the group is reported already. */
+  private static boolean isOpen(Outcome outcome, String robot) {
+    return !outcome.result().isWell() && outcome.module().startsWith(robot + "/");
+  }
+
+  /** An effector that a phoenix knows. */
+  private Outcome known(
+      EffectorStop stop, @Nullable Outcome claimed, Map<String, List<Outcome>> here) {
+    Outcome outcome = ofPhoenix(stop);
+    Optional<Outcome> other = only(stop.path(), here);
+    if (outcome.result().isWell()) {
+      return outcome;
+    } else if (other.isPresent() && other.get().result().isWell()) {
+      return other.get();
+    } else if (stop.state() == null && claimed != null && claimed.result().isWell()) {
+      return doubtful(
+          claimed,
+          "its proxy says that it is stopped, and its phoenix does not confirm that: "
+              + stop.fault());
+    }
+    return outcome;
+  }
+
+  /** An effector that no phoenix knows. */
+  private static Outcome unknown(
+      Claim claim, Map<String, List<Outcome>> here, Confirmations confirmations) {
+    Outcome outcome = claim.outcome();
+    Optional<Outcome> other = only(claim.path(), here);
+    if (other.isPresent() && other.get().result().isWell()) {
+      return outcome.result().isWell() ? outcome : other.get();
+    } else if (!outcome.result().isWell()) {
+      return outcome;
+    }
+    int slash = claim.path().indexOf('/');
+    String robot = slash < 0 ? "" : claim.path().substring(0, slash);
+    return confirmations
+        .doubtOf(robot)
+        .map(why -> doubtful(outcome, why))
+        .orElse(outcome);
+  }
+
+  /** Takes the only outcome of that path; several of one name are several effectors. */
+  private static Optional<Outcome> only(String path, Map<String, List<Outcome>> here) {
+    @Nullable List<Outcome> all = here.get(path);
+    if (all == null || all.size() != 1) {
+      return Optional.empty();
+    }
+    here.remove(path);
+    return Optional.of(all.get(0));
+  }
+
+  private static Outcome doubtful(Outcome claimed, String why) {
+    return new Outcome(claimed.module(), Result.DOUBTFUL, claimed.by(), claimed.since(), why);
+  }
+}

@@ -1,0 +1,33 @@
+package org.dfra.river.lookup;
+
+import java.util.List;
+import java.util.UUID;
+import org.dfra.flow.effector.Effector;
+import org.dfra.persona.Attributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An effector as a lookup service lists it. All of it is the word of whoever registered it.
+ *
+ * @param id its service ID
+ * @param robot name of its robot
+ * @param name its name on its robot
+ * @param effector its proxy; null if it cannot be read here
+ * @param attributes its attributes
+ */
+public record ListedEffector(
+    UUID id,
+    String robot,
+    String name,
+    @Nullable Effector<?> effector,
+    List<Attributes> attributes) {
+
+  public ListedEffector {
+    attributes = List.copyOf(attributes);
+  }
+
+  /** {@code robot/name}. */
+  public String path() {
+    return robot + "/" + name;
+  }
+}

@@ -1,0 +1,245 @@
+package org.dfra.river.lookup;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.entry.Entry;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
+import net.jini.core.lookup.ServiceMatches;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceTemplate;
+import org.dfra.flow.effector.Effector;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.entry.Entries;
+import org.dfra.river.entry.ModuleEntry;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the effectors that one lookup service lists, robot by robot, so that no answer is large.
+ *
+ * <p>Threads: {@code dfra-search-id}, {@value #THREADS} for each lookup service until it is closed.
+ * Each answer holds {@value #LIMIT} effectors at the most; where a robot has more of them, they are
+ * read by their names.
+ */
+final class RegistrarReading implements AutoCloseable {
+
+  private static final int THREADS = 4;
+  private static final int LIMIT = 64;
+
+  /** Effectors of one name on one robot that are read; an honest robot has one. */
+  private static final int LIMIT_OF_ONE_NAME = 8;
+
+  private final ServiceRegistrar registrar;
+  private final List<String> wanted;
+  private final List<String> known;
+  private final EffectorSearch.Listener listener;
+  private final Runnable changed;
+  private final ExecutorService threads;
+  private final Set<String> begun = new LinkedHashSet<>(); // robots; guarded by this
+  private final Set<String> faults = new LinkedHashSet<>(); // guarded by this
+  private int pending; // questions that are not answered yet; guarded by this
+
+  /**
+   * @param wanted robots that are read; all if empty
+   * @param known robots that are read first
+   * @param loader context class loader of the reading threads
+   * @param changed is called when it was read to its end
+   */
+  RegistrarReading(
+      ServiceRegistrar registrar,
+      List<String> wanted,
+      List<String> known,
+      EffectorSearch.Listener listener,
+      @Nullable ClassLoader loader,
+      Runnable changed) {
+    this.registrar = registrar;
+    this.wanted = wanted;
+    this.known = known;
+    this.listener = listener;
+    this.changed = changed;
+    String name = "dfra-search-" + registrar.getServiceID();
+    this.threads =
+        Executors.newFixedThreadPool(
+            THREADS,
+            task -> {
+              Thread thread = new Thread(task, name);
+              thread.setDaemon(true);
+              thread.setContextClassLoader(loader);
+              return thread;
+            });
+  }
+
+  private interface Question {
+    void ask() throws RemoteException;
+  }
+
+  /** Begins to read. */
+  void start() {
+    ask(this::locate);
+    if (wanted.isEmpty()) {
+      known.forEach(this::begin);
+      ask(() -> values(template(null, null), "robot").forEach(this::begin));
+    } else {
+      wanted.forEach(this::begin);
+    }
+  }
+
+  private void ask(Question question) {
+    synchronized (this) {
+      pending++;
+    }
+    try {
+      threads.execute(
+          () -> {
+            try {
+              question.ask();
+            } catch (RemoteException | RuntimeException e) { // the others are asked all the same
+              fault("it did not answer (" + e.getClass().getSimpleName() + ")");
+            } finally {
+              answered();
+            }
+          });
+    } catch (RejectedExecutionException e) { // closed
+      answered();
+    }
+  }
+
+  private void answered() {
+    synchronized (this) {
+      pending--;
+    }
+    changed.run();
+  }
+
+  private synchronized void fault(String what) {
+    faults.add(what);
+  }
+
+  private void locate() throws RemoteException {
+    @Nullable LookupLocator locator = registrar.getLocator();
+    if (locator != null) {
+      listener.registrarAt(locator.getHost());
+    }
+  }
+
+  /** Each robot once. */
+  private void begin(String robot) {
+    synchronized (this) {
+      if (!begun.add(robot)) {
+        return;
+      }
+    }
+    ask(() -> readRobot(robot));
+  }
+
+  private void readRobot(String robot) throws RemoteException {
+    ServiceTemplate its = template(robot, null);
+    if (publish(registrar.lookup(its, LIMIT))) {
+      return;
+    }
+    for (String name : values(its, "name")) {
+      ask(
+          () -> {
+            ServiceMatches matches = registrar.lookup(template(robot, name), LIMIT_OF_ONE_NAME);
+            if (!publish(matches)) {
+              fault(
+                  "it lists "
+                      + matches.totalMatches
+                      + " effectors "
+                      + robot
+                      + "/"
+                      + name
+                      + ", of which "
+                      + LIMIT_OF_ONE_NAME
+                      + " were called");
+            }
+          });
+    }
+  }
+
+  private List<String> values(ServiceTemplate template, String field) throws RemoteException {
+    @Nullable Object[] values;
+    try {
+      values = registrar.getFieldValues(template, 0, field);
+    } catch (NoSuchFieldException e) {
+      throw new AssertionError(e);
+    }
+    List<String> texts = new ArrayList<>();
+    for (@Nullable Object value : values == null ? new Object[0] : values) {
+      if (value instanceof String text) {
+        texts.add(text);
+      }
+    }
+    return texts;
+  }
+
+  private static ServiceTemplate template(@Nullable String robot, @Nullable String name) {
+    ModuleEntry of = new ModuleEntry();
+    of.robot = robot;
+    of.name = name;
+    return new ServiceTemplate(null, new Class<?>[] {Effector.class}, new Entry[] {of});
+  }
+
+  /** Whether these were all that match. */
+  private boolean publish(ServiceMatches matches) {
+    for (ServiceItem item : matches.items) {
+      publish(item);
+    }
+    return matches.totalMatches <= matches.items.length;
+  }
+
+  private void publish(ServiceItem item) {
+    List<Attributes> attributes = Entries.records(item.attributeSets);
+    for (Attributes each : attributes) {
+      if (each instanceof ModuleAttributes own) {
+        ServiceID id = item.serviceID;
+        listener.found(
+            new ListedEffector(
+                Sightings.uuid(id),
+                own.robot(),
+                own.name(),
+                item.service instanceof Effector<?> effector ? effector : null,
+                attributes));
+        return;
+      }
+    }
+  }
+
+  /** Whether everything was asked and answered. */
+  synchronized boolean isOver() {
+    return pending == 0;
+  }
+
+  /** What was not read and why, a sentence each. */
+  synchronized List<String> unread() {
+    List<String> sentences = new ArrayList<>();
+    for (String fault : faults) {
+      sentences.add(sentence(fault));
+    }
+    if (pending > 0) {
+      sentences.add(sentence("it was not read to its end: " + pending + " questions are open"));
+    }
+    return sentences;
+  }
+
+  private String sentence(String fault) {
+    return "not every effector of lookup service "
+        + registrar.getServiceID()
+        + " was called: "
+        + fault;
+  }
+
+  /** Ends it, without waiting for calls that are under way. */
+  @Override
+  public void close() {
+    threads.shutdownNow();
+  }
+}

@@ -1,0 +1,45 @@
+package org.dfra.river.phoenix.stop;
+
+import java.time.Duration;
+import java.util.UUID;
+import net.jini.id.Uuid;
+import net.jini.id.UuidFactory;
+import net.jini.jeri.BasicObjectEndpoint;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+
+/** Finds the stop service of a computer's phoenix without any lookup service. */
+public final class StopLocator {
+
+  /** TCP port of a phoenix where no other is configured. */
+  public static final int DEFAULT_PORT = 1198;
+
+  /**
+   * The identity under which every phoenix exports its stop service. It is no secret and never
+   * changes, since whoever reaches phoenix's port may stop.
+   */
+  public static final Uuid IDENTITY = identity("2d6f3f1e-0c55-4f0a-8f3b-6a1d6a2f5707");
+
+  private StopLocator() {}
+
+  private static Uuid identity(String text) {
+    UUID uuid = UUID.fromString(text);
+    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
+  }
+
+  /**
+   * A proxy for the stop service of a phoenix. Nothing is sent before its first call.
+   *
+   * @param host where phoenix runs
+   * @param port its TCP port
+   * @param deadline how long each answer is awaited, at least a millisecond
+   */
+  public static StopService at(String host, int port, Duration deadline) {
+    return (StopService)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(Endpoints.at(host, port), IDENTITY, false),
+            deadline,
+            StopLocator.class.getClassLoader(),
+            StopService.class);
+  }
+}

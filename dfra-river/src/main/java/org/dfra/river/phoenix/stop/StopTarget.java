@@ -1,0 +1,22 @@
+package org.dfra.river.phoenix.stop;
+
+import java.rmi.RemoteException;
+import java.util.UUID;
+import org.dfra.flow.effector.StopState;
+import org.jspecify.annotations.Nullable;
+
+/** An activatable object that phoenix can stop: the server of an effector. */
+public interface StopTarget {
+
+  /** The module's identity, its service ID in every lookup service. */
+  UUID moduleId();
+
+  /** The module's path, {@code robot/name}. */
+  String modulePath();
+
+  /** See {@link org.dfra.flow.effector.Effector#stopState}. */
+  StopState stopState() throws RemoteException;
+
+  /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
+  StopState emergencyStop(@Nullable String by) throws RemoteException;
+}

@@ -1,0 +1,96 @@
+package org.dfra.attack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
+import org.dfra.drive.Commander;
+import org.dfra.drive.WheeledRobot;
+import org.dfra.drive.WheeledRobot.Said;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.effector.StopState;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A fake proxy is registered under the drive's service ID in its own registrar, and answers every
+ * stop with "stopped". Whoever stops the robot from another computer, by its registrar and its
+ * phoenix, halts the real wheels and is told the truth.
+ */
+@Timeout(180)
+class FalseStopIT {
+
+  private static final Duration LEASE = Duration.ofSeconds(30);
+
+  @TempDir Path folder;
+
+  private final StallProbe probe = StallProbe.start();
+  private WheeledRobot robot;
+  private FalseDrives fakes;
+  private Path elsewhere;
+
+  @BeforeEach
+  void bringUp() throws Exception {
+    robot = WheeledRobot.start(folder, "drive");
+    fakes = new FalseDrives(robot.locator());
+    elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+  }
+
+  @AfterEach
+  void takeDown() throws Exception {
+    try (StallProbe ended = probe;
+        WheeledRobot closed = robot;
+        FalseDrives gone = fakes) {
+      assertThat(gone == null || gone.stops() > 0).as("the fake was called").isTrue();
+    }
+  }
+
+  private Said stop() throws Exception {
+    return robot.stopFromElsewhere(
+        elsewhere,
+        "--all",
+        "--phoenix=" + WheeledRobot.HOST + ":" + robot.phoenix().process().port());
+  }
+
+  @Test
+  void theRealWheelsStopAndItsPhoenixConfirmsIt() throws Exception {
+    try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
+      robot.awaitFullSpeed();
+      fakes.replace();
+      StallProbe.Stopwatch running = probe.stopwatch();
+      Said said = stop();
+      Timing timing = running.stop();
+      assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+      timing.requireWithin("./dfra stop --all beside a fake", Duration.ofSeconds(5));
+      robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
+    }
+    StopState state = robot.drive().stopState();
+    assertThat(state.latched()).isTrue();
+    assertThat(state.by()).as("not by the fake").contains(" at " + WheeledRobot.HOST);
+  }
+
+  @Test
+  void whatItsPhoenixCannotConfirmIsShownAsDoubt() throws Exception {
+    fakes.replace();
+    long pid = robot.phoenix().group("eta.wheels").pid();
+    Process kill = new ProcessBuilder("kill", "-STOP", Long.toString(pid)).start();
+    assertThat(kill.waitFor()).isZero();
+    try {
+      Said said = stop();
+      assertThat(said.status()).as(said.text()).isEqualTo(4);
+      assertThat(said.text())
+          .startsWith(
+              "eta/drive: DOUBTFUL: its proxy says that it is stopped, and the phoenix of its robot"
+                  + " does not confirm that")
+          .doesNotContain("eta/drive: stopped");
+    } finally {
+      robot.phoenix().kill("eta.wheels");
+    }
+  }
+}

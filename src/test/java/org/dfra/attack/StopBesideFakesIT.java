@@ -1,0 +1,93 @@
+package org.dfra.attack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Objects;
+import org.dfra.core.time.StallProbe;
+import org.dfra.core.time.Timing;
+import org.dfra.drive.Commander;
+import org.dfra.drive.WheeledRobot;
+import org.dfra.drive.WheeledRobot.Said;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A robot that drives is stopped in time though its registrar lists 3 000 fake drives. */
+@Timeout(240)
+class StopBesideFakesIT {
+
+  private static final int FAKES = 3000;
+  private static final Duration LEASE = Duration.ofSeconds(60);
+
+  /** From typing the command, which starts a Java virtual machine. */
+  private static final Duration STOPPED = Duration.ofSeconds(3);
+
+  @TempDir static Path folder;
+
+  private static final StallProbe probe = StallProbe.start();
+  private static WheeledRobot robot;
+  private static FalseDrives fakes;
+  private static Path elsewhere;
+
+  @BeforeAll
+  static void bringUp() throws Exception {
+    robot = WheeledRobot.start(folder, "drive");
+    fakes = new FalseDrives(robot.locator());
+    elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+    for (int i = 0; i < FAKES; i++) {
+      Object unused = fakes.add("fake" + i);
+    }
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
+    try (StallProbe ended = probe;
+        WheeledRobot closed = robot;
+        FalseDrives gone = fakes) {
+      assertThat(ended).isNotNull();
+    }
+  }
+
+  private static Said stopInTime(String what, String... words) throws Exception {
+    if (robot.drive().stopState().latched()) {
+      assertThat(robot.drive().releaseStop("the next test").latched()).isFalse();
+    }
+    try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
+      robot.awaitFullSpeed();
+      StallProbe.Stopwatch running = probe.stopwatch();
+      Instant typed = Instant.now();
+      Said said = robot.stopFromElsewhere(elsewhere, words);
+      Timing timing = running.stop();
+      Instant ordered = Objects.requireNonNull(robot.drive().stopState().since(), said.text());
+      new Timing(Duration.between(typed, ordered), timing.stalled(), timing.load())
+          .requireWithin(what, STOPPED);
+      robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
+      return said;
+    }
+  }
+
+  @Test
+  void itsPhoenixStopsItBeforeAnythingIsRead() throws Exception {
+    Said said =
+        stopInTime(
+            "./dfra stop --all beside 3 000 fakes",
+            "--all",
+            "--phoenix=" + WheeledRobot.HOST + ":" + robot.phoenix().process().port());
+    assertThat(said.text()).contains("eta/drive: stopped.\n");
+  }
+
+  @Test
+  void itIsReadFirstWhereItIsNamed() throws Exception {
+    Said said = stopInTime("./dfra stop eta beside 3 000 fakes", "eta");
+    assertThat(said)
+        .as("no phoenix is known there, so its own word counts")
+        .isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+  }
+}
