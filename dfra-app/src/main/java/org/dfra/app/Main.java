@@ -110,7 +110,8 @@ public final class Main {
 
   /** An error of a proxy's, say, which is code of another computer's choice. */
   private static void report(Thread thread, Throwable thrown) {
-    System.err.print("Thread " + Printable.name(thread.getName()) + ": " + PrintableTrace.of(thrown));
+    String name = Printable.name(thread.getName());
+    System.err.print("Thread " + name + ": " + PrintableTrace.of(thrown));
   }
 
   /** The command line, for those who ask it about itself. */
