@@ -73,7 +73,7 @@ final class HostileModule implements InvocationHandler, Serializable {
             NAME,
             NAME,
             TEXT,
-            "127.0.0.1" + TEXT,
+            "127.0.0.1", // a name would be looked up
             TEXT,
             TEXT,
             Readiness.FAILED,

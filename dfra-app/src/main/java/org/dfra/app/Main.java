@@ -13,6 +13,7 @@ import org.dfra.app.fuzzy.FuzzyCommand;
 import org.dfra.app.lease.LeaseCommand;
 import org.dfra.app.log.LogCommand;
 import org.dfra.app.log.LogbackSetup;
+import org.dfra.app.log.PrintableTrace;
 import org.dfra.app.module.ModuleCommand;
 import org.dfra.app.persona.PersonaCommand;
 import org.dfra.app.recruit.RecruitCommand;
@@ -30,6 +31,7 @@ import org.dfra.module.LogLevel;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.text.Printable;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -92,6 +94,7 @@ public final class Main {
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
+    Thread.setDefaultUncaughtExceptionHandler(Main::report);
     try {
       BootClassPath.require();
       TrustedCode.install();
@@ -103,6 +106,12 @@ public final class Main {
     line.setOut(Called.renaming(line.getOut()));
     line.setErr(Called.renaming(line.getErr()));
     System.exit(line.execute(args));
+  }
+
+  /** An error of a proxy's, say, which is code of another computer's choice. */
+  private static void report(Thread thread, Throwable thrown) {
+    String name = Printable.name(thread.getName());
+    System.err.print("Thread " + name + ": " + PrintableTrace.of(thrown));
   }
 
   /** The command line, for those who ask it about itself. */

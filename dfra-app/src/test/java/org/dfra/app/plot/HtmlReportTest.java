@@ -66,7 +66,7 @@ class HtmlReportTest {
         .contains("<title>" + shown, "<h1>" + shown, "<h2>" + shown, "<p>" + shown)
         .contains("<th>" + shown, "<td>" + shown, "<figcaption>" + shown, "alt=\"" + shown)
         .doesNotContain("<b>")
-        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]");
+        .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n\t]]");
   }
 
   @Test

@@ -13,6 +13,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.Persona;
 import org.dfra.module.Module;
 import org.dfra.persona.PersonaAttributes;
+import org.dfra.text.Printable;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,7 +43,9 @@ final class Personas {
         personas.at(each.robot(), each.host()).add(each);
       }
     }
-    signs.forEach(each -> personas.at(each.attributes().robot(), each.host()).add(each));
+    for (ModuleTable.RobotSign each : signs) { // named as in its modules' listings
+      personas.at(Printable.word(each.attributes().robot()), each.host()).add(each);
+    }
     List<Persona> all = new ArrayList<>();
     personas.robots.forEach((name, hosts) -> all.addAll(named(name, hosts)));
     return all;

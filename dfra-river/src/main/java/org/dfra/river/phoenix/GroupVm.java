@@ -97,6 +97,7 @@ public final class GroupVm {
     System.setErr(out);
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
+    UncaughtExceptions.areLogged();
   }
 
   private static String cause(Throwable e) {

@@ -83,6 +83,7 @@ public final class Phoenix implements AutoCloseable {
     SerialFilters.install();
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
+    UncaughtExceptions.areLogged();
     try {
       TrustedCode.install();
       Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
