@@ -71,8 +71,7 @@ public final class FakeServices implements Task {
     Map<String, Integer> outcomes = new TreeMap<>();
     for (int i = 0; i < count; i++) {
       String name = "fake" + i;
-      String outcome =
-          outcome(() -> register(registrar, null, name, Fakes.module(name, "drive")));
+      String outcome = outcome(() -> register(registrar, null, name, Fakes.module(name, "drive")));
       outcomes.merge(outcome, 1, Integer::sum);
     }
     return outcomes.toString();

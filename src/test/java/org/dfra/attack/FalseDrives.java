@@ -88,9 +88,7 @@ final class FalseDrives implements AutoCloseable {
     UUID uuid = UUID.randomUUID();
     ServiceID id = new ServiceID(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
     DriveProxy fake = new DriveProxy(proxy, uuid, named(robot, "drive"));
-    return registrar
-        .register(new ServiceItem(id, fake, entries(robot)), LEASE_MILLIS)
-        .getLease();
+    return registrar.register(new ServiceItem(id, fake, entries(robot)), LEASE_MILLIS).getLease();
   }
 
   /** The real drive's, but for the robot's name. */

@@ -80,8 +80,7 @@ class ManyFakesIT {
   void doNotHideTheRobot() throws Exception {
     task.write(hosts.attacker() + " many " + FAKES);
     assertThat(task.awaitLine("{", PATIENCE))
-        .isEqualTo(
-            "{RegistrationRefusedException=%d, done=%d}".formatted(FAKES - TAKEN, TAKEN));
+        .isEqualTo("{RegistrationRefusedException=%d, done=%d}".formatted(FAKES - TAKEN, TAKEN));
     assertFound();
     task.write(hosts.otherAttacker() + " claim theta");
     assertThat(task.awaitLine("", PATIENCE)).as("another robot's module").isEqualTo("done");
@@ -92,11 +91,8 @@ class ManyFakesIT {
   private void assertFound() throws Exception {
     StallProbe.Stopwatch watch = probe.stopwatch();
     try (JiniModuleDirectory directory =
-        new JiniModuleDirectory(
-            hosts.robot(), List.of(), List.of(robot.registrar().locator()))) {
-      assertThat(
-              directory.findFirst(
-                  ModuleQuery.of(DriveEffector.class).robot("eta"), PATIENCE))
+        new JiniModuleDirectory(hosts.robot(), List.of(), List.of(robot.registrar().locator()))) {
+      assertThat(directory.findFirst(ModuleQuery.of(DriveEffector.class).robot("eta"), PATIENCE))
           .isPresent();
       watch.stop().requireWithin("finding the drive beside " + FAKES + " fakes", BOUND);
     }

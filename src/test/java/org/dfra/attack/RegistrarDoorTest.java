@@ -49,8 +49,7 @@ class RegistrarDoorTest {
     RegistrationPolicy policy =
         new RegistrationPolicy("eta", List.of(AddressRange.of(hosts.operator())));
     reggie =
-        new EmbeddedRegistrar(
-                hosts.robot(), 0, List.of(), Duration.ofSeconds(60), policy, Map.of())
+        new EmbeddedRegistrar(hosts.robot(), 0, List.of(), Duration.ofSeconds(60), policy, Map.of())
             .start();
     own = reggie.registrar();
     second = from(hosts.operator());
@@ -78,8 +77,7 @@ class RegistrarDoorTest {
 
   @Test
   void theDrivesServiceIdIsTakenFromTheRobotsOwnComputersOnly() throws Exception {
-    ServiceRegistration before =
-        Fakes.register(own, DRIVE, "honest", Fakes.module("eta", "drive"));
+    ServiceRegistration before = Fakes.register(own, DRIVE, "honest", Fakes.module("eta", "drive"));
     assertRefused(
         () -> Fakes.register(stranger, DRIVE, "fake", new Name("drive")),
         DRIVE.toString(),

@@ -108,8 +108,8 @@ final class PhoenixAddresses {
   }
 
   /**
-   * That of the computer on which a lookup service runs, at the usual port. Empty for this computer:
-   * its phoenix is the one of the state folder.
+   * That of the computer on which a lookup service runs, at the usual port. Empty for this
+   * computer: its phoenix is the one of the state folder.
    *
    * @param host where the lookup service says that it runs
    */

@@ -90,8 +90,7 @@ final class PhoenixAnswers {
   private CompletableFuture<Kind> twice(Asked one) {
     return once(one)
         .exceptionallyCompose(
-            failure ->
-                isAbsent(failure) ? CompletableFuture.failedFuture(failure) : once(one))
+            failure -> isAbsent(failure) ? CompletableFuture.failedFuture(failure) : once(one))
         .exceptionally(
             failure -> {
               LOG.debug("No phoenix has reported.", failure);

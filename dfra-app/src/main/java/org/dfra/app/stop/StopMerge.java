@@ -38,7 +38,8 @@ final class StopMerge {
 
   /**
    * What has become of an effector, as it answered its phoenix. It says for how long it has been
-   * stopped: it was stopped already where somebody else did it, or it was before this command began.
+   * stopped: it was stopped already where somebody else did it, or it was before this command
+   * began.
    */
   Outcome ofPhoenix(EffectorStop stop) {
     @Nullable StopState state = stop.state();
@@ -121,10 +122,7 @@ final class StopMerge {
     }
     int slash = claim.path().indexOf('/');
     String robot = slash < 0 ? "" : claim.path().substring(0, slash);
-    return confirmations
-        .doubtOf(robot)
-        .map(why -> doubtful(outcome, why))
-        .orElse(outcome);
+    return confirmations.doubtOf(robot).map(why -> doubtful(outcome, why)).orElse(outcome);
   }
 
   /** Takes the only outcome of that path; several of one name are several effectors. */

@@ -114,8 +114,7 @@ final class StopRound implements AutoCloseable {
       CompletableFuture<Void> unused =
           asked
               .outcome()
-              .thenCombine(
-                  phoenixes.answered(), (outcome, answered) -> counted(id, path, outcome))
+              .thenCombine(phoenixes.answered(), (outcome, answered) -> counted(id, path, outcome))
               .thenAccept(counts -> counts.ifPresent(well));
     }
   }
@@ -126,9 +125,7 @@ final class StopRound implements AutoCloseable {
     if (now.stops().containsKey(id) || !outcome.result().isWell()) {
       return Optional.empty(); // the first was published as its phoenix reported it
     }
-    return merge
-        .merge(List.of(new StopMerge.Claim(id, path, outcome)), Map.of(), now)
-        .stream()
+    return merge.merge(List.of(new StopMerge.Claim(id, path, outcome)), Map.of(), now).stream()
         .filter(each -> each.equals(outcome))
         .findFirst();
   }
@@ -159,8 +156,7 @@ final class StopRound implements AutoCloseable {
         .add(new Asked(path, twice(path, call, threads)));
   }
 
-  private CompletableFuture<Outcome> twice(
-      String path, Callable<Outcome> call, Executor executor) {
+  private CompletableFuture<Outcome> twice(String path, Callable<Outcome> call, Executor executor) {
     return once(call, executor)
         .exceptionallyCompose(unused -> once(call, executor))
         .exceptionally(failure -> new Outcome(path, failed, null, null, reason(failure)));
@@ -216,8 +212,7 @@ final class StopRound implements AutoCloseable {
         (id, each) -> claims.add(new StopMerge.Claim(id, each.path(), each.outcome().join())));
     Map<String, List<Outcome>> reached = new LinkedHashMap<>();
     here.forEach(
-        (path, all) ->
-            reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));
+        (path, all) -> reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));
     phoenixes.answered().join();
     while (questions > 0 && !phoenixes.now().isComplete()) {
       questions--;

@@ -153,8 +153,7 @@ class LogbackSetupTest {
   @Test
   void anEventIsOneLineWhateverItsTextHolds() {
     String name = "gps\n2026-11-23T16:00:00.000Z INFO forged: 2 stopped\u001b[2J\u009b\u202e";
-    String shown =
-        "gps\\n2026-11-23T16:00:00.000Z INFO forged: 2 stopped\\u001b[2J\\u009b\\u202e";
+    String shown = "gps\\n2026-11-23T16:00:00.000Z INFO forged: 2 stopped\\u001b[2J\\u009b\\u202e";
     IOException thrown = new IOException(name, new IllegalStateException(name));
     thrown.setStackTrace(
         new StackTraceElement[] {new StackTraceElement("a.B\nforged", "c\u001b", "B.java", 1)});

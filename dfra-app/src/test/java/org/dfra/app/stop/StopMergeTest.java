@@ -55,9 +55,7 @@ class StopMergeTest {
         new EffectorStop(ID, PATH, false, new StopState(true, "ops", NOON, false, "held up"), null);
     assertThat(
             merge.merge(
-                List.of(new StopMerge.Claim(ID, PATH, stopped())),
-                Map.of(),
-                confirmations(heldUp)))
+                List.of(new StopMerge.Claim(ID, PATH, stopped())), Map.of(), confirmations(heldUp)))
         .extracting(Outcome::result)
         .containsExactly(Result.NOT_AT_REST);
   }
@@ -79,9 +77,7 @@ class StopMergeTest {
   @Test
   void phoenixsAdministratorConfirmsToo() {
     EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
-    assertThat(
-            merge.merge(
-                List.of(), Map.of(PATH, List.of(stopped())), confirmations(mute)))
+    assertThat(merge.merge(List.of(), Map.of(PATH, List.of(stopped())), confirmations(mute)))
         .containsExactly(stopped());
     assertThat(
             merge.merge(

@@ -61,10 +61,7 @@ final class DiscoveryPackets {
       throws IOException {
     MulticastRequest request =
         new MulticastRequest(
-            settings.host(),
-            port,
-            groups.toArray(String[]::new),
-            known.toArray(ServiceID[]::new));
+            settings.host(), port, groups.toArray(String[]::new), known.toArray(ServiceID[]::new));
     EncodeIterator encoded =
         (settings.version() == 1 ? VERSION_1 : VERSION_2)
             .encodeMulticastRequest(request, settings.packetBytes(), InvocationConstraints.EMPTY);

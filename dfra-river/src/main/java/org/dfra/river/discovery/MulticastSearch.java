@@ -104,8 +104,7 @@ public final class MulticastSearch implements AutoCloseable {
    * @throws IOException if multicast cannot be used
    * @throws ConfigurationException if an entry is wrong
    */
-  public MulticastSearch(
-      String @Nullable [] groups, Configuration configuration, Listener listener)
+  public MulticastSearch(String @Nullable [] groups, Configuration configuration, Listener listener)
       throws IOException, ConfigurationException {
     this(groups, MulticastSettings.of(configuration), listener);
   }
@@ -167,8 +166,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /**
-   * Searches for members of these and no others; lookup services that are members of none are
-   * lost.
+   * Searches for members of these and no others; lookup services that are members of none are lost.
    *
    * @param wanted the groups; null for all
    * @throws IOException if multicast cannot be used

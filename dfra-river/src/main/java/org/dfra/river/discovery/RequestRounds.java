@@ -89,9 +89,7 @@ final class RequestRounds implements AutoCloseable {
       LOG.warn("No request for lookup services of the groups {} could be sent.", groups, e);
     }
     after(
-        left == 1 ? settings.finalRequestInterval() : settings.requestInterval(),
-        groups,
-        left - 1);
+        left == 1 ? settings.finalRequestInterval() : settings.requestInterval(), groups, left - 1);
   }
 
   /** Where answers are received; 0 when closed. */

@@ -97,9 +97,7 @@ final class RecordText {
       Class<?> type =
           Class.forName(name, false, context != null ? context : RecordText.class.getClassLoader());
       // A record that has an entry class comes in that: a registrar checks those for who they name.
-      return type.isRecord()
-              && Attributes.class.isAssignableFrom(type)
-              && !Entries.hasEntry(type)
+      return type.isRecord() && Attributes.class.isAssignableFrom(type) && !Entries.hasEntry(type)
           ? type.asSubclass(Attributes.class)
           : null;
     } catch (ClassNotFoundException | LinkageError e) {

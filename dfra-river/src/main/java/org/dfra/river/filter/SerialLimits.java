@@ -32,7 +32,8 @@ public record SerialLimits(
    * For the answer to unicast discovery, which anybody may give. That of a robot's registrar has 2
    * kB.
    */
-  public static final SerialLimits ANSWER = new SerialLimits(24, 4_096, 64 << 10, 64 << 10, 1 << 20, 256);
+  public static final SerialLimits ANSWER =
+      new SerialLimits(24, 4_096, 64 << 10, 64 << 10, 1 << 20, 256);
 
   /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
   public static final SerialLimits STORED =

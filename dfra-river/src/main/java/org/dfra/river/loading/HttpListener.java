@@ -74,8 +74,7 @@ final class HttpListener implements AutoCloseable {
     deadlines = new ScheduledThreadPoolExecutor(1, named);
     deadlines.setRemoveOnCancelPolicy(true);
     threads =
-        new ThreadPoolExecutor(
-            0, THREADS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), named);
+        new ThreadPoolExecutor(0, THREADS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), named);
     threads.execute(this::accept);
   }
 
@@ -187,8 +186,7 @@ final class HttpListener implements AutoCloseable {
     return true;
   }
 
-  private static @Nullable HttpConnection oldestIncomplete(
-      Collection<HttpConnection> connections) {
+  private static @Nullable HttpConnection oldestIncomplete(Collection<HttpConnection> connections) {
     for (HttpConnection each : connections) {
       if (!each.isComplete()) {
         return each;

@@ -19,8 +19,8 @@ import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks once for the effectors that lookup services list, for an emergency: each is reported as soon
- * as it is read, whatever else is still to be read.
+ * Looks once for the effectors that lookup services list, for an emergency: each is reported as
+ * soon as it is read, whatever else is still to be read.
  *
  * <pre>
  *   discovery --&gt; RegistrarReading, one for each lookup service, in parallel
@@ -129,8 +129,8 @@ public final class EffectorSearch implements AutoCloseable {
   /**
    * Waits until everything at hand was read: at every locator a lookup service was found, and each
    * that was found was read to its end. With groups this takes all the patience, since multicast
-   * never says that everybody has answered; and 3 s longer where a lookup service is not read to its
-   * end by then.
+   * never says that everybody has answered; and 3 s longer where a lookup service is not read to
+   * its end by then.
    *
    * @param patience how long lookup services may take to be found
    * @return the locators at which no lookup service was found

@@ -101,7 +101,8 @@ final class StopOrders implements StopService {
               unconfirmed.add(
                   unconfirmed(
                       group,
-                      in.missing() + " of its effectors did not run, and are started to be stopped"));
+                      in.missing()
+                          + " of its effectors did not run, and are started to be stopped"));
             }
           } catch (TimeoutException e) {
             unconfirmed.add(
@@ -120,7 +121,12 @@ final class StopOrders implements StopService {
         });
     unconfirmed.removeIf(each -> hasNoEffectors(each, asked.keySet()));
     List<String> known =
-        groups.stream().map(Group::robot).filter(each -> !each.isEmpty()).distinct().sorted().toList();
+        groups.stream()
+            .map(Group::robot)
+            .filter(each -> !each.isEmpty())
+            .distinct()
+            .sorted()
+            .toList();
     return new StopReport(known, effectors, unconfirmed);
   }
 
@@ -148,8 +154,7 @@ final class StopOrders implements StopService {
 
   private Answer ask(Group group, String by) throws RemoteException {
     Optional<Maker> maker = group.active();
-    GroupStopAnswer answer =
-        maker.isEmpty() ? GroupStopAnswer.NONE : order(maker.get(), group, by);
+    GroupStopAnswer answer = maker.isEmpty() ? GroupStopAnswer.NONE : order(maker.get(), group, by);
     List<ActivatableObject> missing = missing(group, answer);
     if (!missing.isEmpty()) {
       orders
@@ -159,8 +164,7 @@ final class StopOrders implements StopService {
     return new Answer(answer, missing.size());
   }
 
-  private static GroupStopAnswer order(Maker maker, Group group, String by)
-      throws RemoteException {
+  private static GroupStopAnswer order(Maker maker, Group group, String by) throws RemoteException {
     if (maker.instantiator() instanceof GroupStop stop) {
       return stop.emergencyStop(by);
     }
@@ -171,8 +175,7 @@ final class StopOrders implements StopService {
   /** Those of a group's objects that are, or may be, effectors and did not answer. */
   private List<ActivatableObject> missing(Group group, GroupStopAnswer answer) {
     Set<UID> answered = new HashSet<>();
-    Stream.concat(
-            answer.effectors().stream().map(Stopped::object), answer.others().stream())
+    Stream.concat(answer.effectors().stream().map(Stopped::object), answer.others().stream())
         .forEach(id -> uid(id).ifPresent(answered::add));
     return daemon.registered().objects(group).stream()
         .filter(StopOrders::mayBeEffector)
@@ -214,7 +217,8 @@ final class StopOrders implements StopService {
       try {
         Object unused = each.activate(daemon.registered().activationID(each.uid), false);
       } catch (ActivationException e) { // unregistered meanwhile, or it crashes: it is reported
-        LOG.debug("An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
+        LOG.debug(
+            "An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
       }
     }
     try {

@@ -25,11 +25,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The objects of a group's virtual machine, for the emergency stop: which of them are effectors, and
- * what each answers.
+ * The objects of a group's virtual machine, for the emergency stop: which of them are effectors,
+ * and what each answers.
  *
- * <p>Threads: {@code group-stop-}, one for each effector while it is being stopped. An effector that
- * does not answer delays no other.
+ * <p>Threads: {@code group-stop-}, one for each effector while it is being stopped. An effector
+ * that does not answer delays no other.
  */
 final class StopTargets {
 
@@ -139,8 +139,7 @@ final class StopTargets {
     return new EffectorStop(target.moduleId(), target.modulePath(), wasStopped, now, null);
   }
 
-  private EffectorStop answer(
-      StopTarget target, CompletableFuture<EffectorStop> order, long end) {
+  private EffectorStop answer(StopTarget target, CompletableFuture<EffectorStop> order, long end) {
     String fault;
     try {
       return order.get(Math.max(0, end - System.nanoTime()), TimeUnit.NANOSECONDS);

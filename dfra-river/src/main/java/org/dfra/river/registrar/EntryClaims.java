@@ -39,8 +39,7 @@ final class EntryClaims {
     Class<?> entry = Class.forName("com.sun.jini.reggie.EntryRep", false, loader);
     entryClass = ReggieFields.of(entry, "eclass");
     fields = ReggieFields.of(entry, "fields");
-    name =
-        ReggieFields.of(Class.forName("com.sun.jini.reggie.EntryClass", false, loader), "name");
+    name = ReggieFields.of(Class.forName("com.sun.jini.reggie.EntryClass", false, loader), "name");
   }
 
   /** Where a field of an entry without superclass fields comes. */

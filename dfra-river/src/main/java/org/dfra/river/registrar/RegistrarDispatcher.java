@@ -126,8 +126,8 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   }
 
   @SuppressWarnings("rawtypes") // as River declares it
-  private synchronized Object listen(
-      Remote impl, Method method, Object[] args, Collection context) throws Throwable {
+  private synchronized Object listen(Remote impl, Method method, Object[] args, Collection context)
+      throws Throwable {
     restore();
     Source from = source(context);
     refusing(() -> rules.checkListener(from));
@@ -164,8 +164,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     for (ReggieState.Listed each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed =
-          namesRobot ? new Source(null, true) : source(numeric(claims.host(entries)));
+      Source presumed = namesRobot ? new Source(null, true) : source(numeric(claims.host(entries)));
       rules.registered(presumed, each.id(), namesRobot);
     }
     for (long each : state.listeners()) {
@@ -182,8 +181,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   }
 
   private Source source(@Nullable InetAddress address) {
-    return new Source(
-        address, address != null && (own.contain(address) || policy.admits(address)));
+    return new Source(address, address != null && (own.contain(address) || policy.admits(address)));
   }
 
   /** The address that a host is; null where it is a name, which is not looked up. */

@@ -17,8 +17,7 @@ class RegistrarArgumentsTest {
         new RegistrationPolicy("atrv1", Arrays.stream(from).map(AddressRange::of).toList());
     return new ArrayList<>(
         List.of(
-            RegistrarArguments.of(
-                host, port, Path.of("/state"), List.of("field"), true, policy)));
+            RegistrarArguments.of(host, port, Path.of("/state"), List.of("field"), true, policy)));
   }
 
   @Test

@@ -95,8 +95,7 @@ class MulticastSearchTest {
     search.received(packet);
   }
 
-  private void announce(AnsweringServer server, ServiceID id, String... groups)
-      throws IOException {
+  private void announce(AnsweringServer server, ServiceID id, String... groups) throws IOException {
     announce(server.host(), server.port(), id, groups);
   }
 

@@ -91,7 +91,9 @@ class SlowHeadersTest {
   @Test
   void refusesHeadersWithoutEnd() throws Exception {
     Socket socket = begin("127.0.0.1");
-    socket.getOutputStream().write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
+    socket
+        .getOutputStream()
+        .write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
     String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
 
     assertThat(answer).startsWith("HTTP/1.1 431 ");

@@ -42,8 +42,7 @@ class StopServiceTest extends GroupFixture {
   }
 
   private static GroupStopAnswer answer(ActivationID object, String path) {
-    return new GroupStopAnswer(
-        List.of(new GroupStopAnswer.Stopped(object, stop(path))), List.of());
+    return new GroupStopAnswer(List.of(new GroupStopAnswer.Stopped(object, stop(path))), List.of());
   }
 
   /** A group with a name and one object, whose process has reported. */
@@ -127,17 +126,14 @@ class StopServiceTest extends GroupFixture {
                     List.of());
 
     StopReport first = phoenix.stopService().emergencyStop(List.of(), "ops");
-    assertThat(first.unconfirmed())
-        .extracting(UnconfirmedGroup::group)
-        .contains("eta.wheels");
+    assertThat(first.unconfirmed()).extracting(UnconfirmedGroup::group).contains("eta.wheels");
     await()
         .atMost(InVmPhoenix.PATIENCE)
         .untilAsserted(
             () ->
                 assertThat(phoenix.stopService().emergencyStop(List.of("eta"), "ops"))
                     .returns(List.of(), StopReport::unconfirmed)
-                    .returns(
-                        List.of(stop("eta/drive"), stop("eta/head")), StopReport::effectors));
+                    .returns(List.of(stop("eta/drive"), stop("eta/head")), StopReport::effectors));
   }
 
   @Test
@@ -152,8 +148,7 @@ class StopServiceTest extends GroupFixture {
         };
     List<Future<StopReport>> calls = new ArrayList<>();
     for (int i = 0; i < 10; i++) {
-      calls.add(
-          threads.submit(() -> phoenix.stopService().emergencyStop(List.of("eta"), "ops")));
+      calls.add(threads.submit(() -> phoenix.stopService().emergencyStop(List.of("eta"), "ops")));
     }
     for (Future<StopReport> call : calls) {
       assertThat(call.get().unconfirmed()).hasSize(1);

@@ -130,8 +130,7 @@ class RegistrationRulesTest {
     for (int i = 0; i < RegistrationRules.SERVICES_PER_ADDRESS; i++) {
       register(STRANGER, new ServiceID(4, i), false);
     }
-    assertRefused(
-        () -> register(STRANGER, DRIVE, false), "services", "10.0.0.66", "256 allowed");
+    assertRefused(() -> register(STRANGER, DRIVE, false), "services", "10.0.0.66", "256 allowed");
     assertRefused(() -> rules.checkService(STRANGER, null, false), "256 allowed");
     register(STRANGER, new ServiceID(4, 7), false); // in place of its own
     register(ALLY, DRIVE, false);

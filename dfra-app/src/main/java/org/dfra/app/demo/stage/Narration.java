@@ -129,8 +129,7 @@ public final class Narration {
    * written above them. What is too wide for the terminal is cut there.
    */
   public synchronized void redraw(List<String> lines) {
-    out.print(
-        block.draw(lines.stream().map(line -> BLOCK_MARGIN + Printable.line(line)).toList()));
+    out.print(block.draw(lines.stream().map(line -> BLOCK_MARGIN + Printable.line(line)).toList()));
     out.flush();
   }
 
@@ -181,8 +180,7 @@ public final class Narration {
   public synchronized void show(List<String> lines) {
     StringBuilder text = new StringBuilder();
     lines.forEach(
-        line ->
-            text.append((MARGIN + coloured(Printable.line(line))).stripTrailing()).append(END));
+        line -> text.append((MARGIN + coloured(Printable.line(line))).stripTrailing()).append(END));
     print(text.toString());
     blank();
   }
