@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Clients that do not end their requests, or do not take the answers, and a {@link ClassServer}. */
+/** Clients of a {@link ClassServer} that do not end their requests, or do not take the answers. */
 @Timeout(60)
 class SlowHeadersTest {
 
@@ -109,7 +109,8 @@ class SlowHeadersTest {
   @Test
   void refusesHeadersWithoutEnd() throws Exception {
     Socket socket = begin("127.0.0.1");
-    socket.getOutputStream().write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
+    String header = "x-a: " + "b".repeat(8192);
+    socket.getOutputStream().write(header.getBytes(StandardCharsets.US_ASCII));
     String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
 
     assertThat(answer).startsWith("HTTP/1.1 431 ");
