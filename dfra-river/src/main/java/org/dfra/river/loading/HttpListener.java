@@ -33,7 +33,9 @@ import org.slf4j.LoggerFactory;
  * at a time, all together {@value #CONNECTIONS}, each with one thread. A request must have arrived
  * whole within 2 s of its connection, however slowly its bytes come, and the answer must have been
  * taken within 60 s. Where all places are taken, a new client gets the place of the oldest request
- * that is still incomplete. The JDK's own server can limit none of this per address.
+ * that is still incomplete. Where none is, clients that take their answers slowly hold the places:
+ * then the new one gets a place of the address that holds most, if it holds fewer itself. The JDK's
+ * own server can limit none of this per address.
  */
 final class HttpListener implements AutoCloseable {
 
@@ -173,6 +175,9 @@ final class HttpListener implements AutoCloseable {
       if (open.size() >= CONNECTIONS) {
         replaced = oldestIncomplete(open);
         if (replaced == null) {
+          replaced = oldestOfBusiest(same + 1);
+        }
+        if (replaced == null) {
           return false;
         }
         remove(replaced);
@@ -193,6 +198,20 @@ final class HttpListener implements AutoCloseable {
       }
     }
     return null;
+  }
+
+  /** Of the address with most connections, if these are more than {@code few}. Holds the lock. */
+  private @Nullable HttpConnection oldestOfBusiest(int few) {
+    @Nullable HttpConnection oldest = null;
+    int most = few;
+    for (HttpConnection each : open) {
+      int count = byAddress.getOrDefault(each.address(), 0);
+      if (count > most) {
+        most = count;
+        oldest = each;
+      }
+    }
+    return oldest;
   }
 
   private void left(HttpConnection connection) {

@@ -207,7 +207,7 @@ public final class Discovery
   public synchronized void setGroups(String[] groups) throws IOException {
     if (multicast != null) {
       multicast.setGroups(groups);
-    } else if (groups == ALL_GROUPS || groups.length > 0) {
+    } else if (!ended && (groups == ALL_GROUPS || groups.length > 0)) {
       try {
         multicast(groups);
       } catch (ConfigurationException e) {

@@ -25,12 +25,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Clients that begin requests and never end them, against a {@link ClassServer}. */
+/** Clients of a {@link ClassServer} that do not end their requests, or do not take the answers. */
 @Timeout(60)
 class SlowHeadersTest {
 
   private static final String HOST = InetAddress.getLoopbackAddress().getHostAddress();
   private static final byte[] JAR = "the jar".getBytes(StandardCharsets.UTF_8);
+
+  /** More than the buffers of a connection hold. */
+  private static final int BIG = 16 << 20;
 
   @TempDir private Path folder;
   private ClassServer server;
@@ -39,7 +42,8 @@ class SlowHeadersTest {
   @BeforeEach
   void start() throws IOException {
     Files.write(folder.resolve("a.jar"), JAR);
-    server = new ClassServer(HOST, 0, folder, List.of("a.jar"));
+    Files.write(folder.resolve("big.jar"), new byte[BIG]);
+    server = new ClassServer(HOST, 0, folder, List.of("a.jar", "big.jar"));
     server.start();
   }
 
@@ -89,11 +93,30 @@ class SlowHeadersTest {
   }
 
   @Test
+  void givesAPlaceOfTheBusiestAddressToANewClientWhereNobodyTakesHisAnswer() throws Exception {
+    assumeThat(hasAddress("127.0.0.66")).as("other addresses of 127/8 can be used").isTrue();
+    int addresses = HttpListener.CONNECTIONS / HttpListener.PER_ADDRESS;
+    for (int i = 0; i < HttpListener.CONNECTIONS; i++) {
+      Socket slow = connect("127.0.2." + (1 + i % addresses));
+      byte[] request = "GET /big.jar HTTP/1.1\r\n\r\n".getBytes(StandardCharsets.US_ASCII);
+      slow.getOutputStream().write(request);
+      assertThat(slow.getInputStream().read()).as("the answer has begun").isEqualTo('H');
+    }
+
+    assertThat(download()).isEqualTo(JAR);
+  }
+
+  @Test
   void refusesHeadersWithoutEnd() throws Exception {
     Socket socket = begin("127.0.0.1");
+<<<<<<< HEAD
     socket
         .getOutputStream()
         .write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
+=======
+    String header = "x-a: " + "b".repeat(8192);
+    socket.getOutputStream().write(header.getBytes(StandardCharsets.US_ASCII));
+>>>>>>> c1-discovery
     String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
 
     assertThat(answer).startsWith("HTTP/1.1 431 ");
@@ -109,12 +132,18 @@ class SlowHeadersTest {
         .body();
   }
 
-  private Socket begin(String from) throws IOException {
+  private Socket connect(String from) throws IOException {
     Socket socket = new Socket();
     sockets.add(socket);
+    socket.setReceiveBufferSize(4096); // so that little of an answer is on its way
     socket.bind(new InetSocketAddress(from, 0));
     socket.connect(new InetSocketAddress(HOST, server.port()));
     socket.setSoTimeout(30_000);
+    return socket;
+  }
+
+  private Socket begin(String from) throws IOException {
+    Socket socket = connect(from);
     try {
       socket.getOutputStream().write("GET /a.jar HTTP/1.1\r\n".getBytes(StandardCharsets.US_ASCII));
     } catch (SocketException e) {
