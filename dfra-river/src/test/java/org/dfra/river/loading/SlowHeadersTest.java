@@ -109,14 +109,8 @@ class SlowHeadersTest {
   @Test
   void refusesHeadersWithoutEnd() throws Exception {
     Socket socket = begin("127.0.0.1");
-<<<<<<< HEAD
-    socket
-        .getOutputStream()
-        .write(("x-a: " + "b".repeat(8192)).getBytes(StandardCharsets.US_ASCII));
-=======
     String header = "x-a: " + "b".repeat(8192);
     socket.getOutputStream().write(header.getBytes(StandardCharsets.US_ASCII));
->>>>>>> c1-discovery
     String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
 
     assertThat(answer).startsWith("HTTP/1.1 431 ");
