@@ -16,6 +16,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
 import net.jini.config.ConfigurationException;
 import net.jini.config.EmptyConfiguration;
 import net.jini.core.lookup.ServiceID;
@@ -46,6 +47,12 @@ import org.jspecify.annotations.Nullable;
  * which notices those that do not answer; {@link #close} ends them all.
  */
 public final class JiniModuleDirectory extends CachedModuleDirectory {
+
+  /** An address in figures, of either version. */
+  private static final Pattern ADDRESS = Pattern.compile("[0-9.]{7,15}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
+
+  /** For how many hosts it is kept whether they are this computer. */
+  private static final int MOST_HOSTS = 1024;
 
   private final DirectorySettings settings;
   private final InstantSource clock;
@@ -237,6 +244,9 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
     for (Attributes each : attributes) {
       if (each instanceof ModuleAttributes module) {
+        if (hosts.size() > MOST_HOSTS) { // strangers may name any number
+          hosts.clear();
+        }
         return hosts.computeIfAbsent(module.host(), this::isHere)
             ? Locality.SAME_HOST
             : Locality.REMOTE;
@@ -245,9 +255,16 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     return Locality.REMOTE;
   }
 
+  /**
+   * Whether a host that a module's entry names is this computer. Names are not looked up: anybody
+   * may write them, and a look-up may take seconds.
+   */
   private boolean isHere(String host) {
-    if (host.equals(settings.host())) {
+    if (host.equals(settings.host()) || host.equals("localhost")) {
       return true;
+    }
+    if (!ADDRESS.matcher(host).matches()) {
+      return false;
     }
     try {
       InetAddress address = InetAddress.getByName(host);
