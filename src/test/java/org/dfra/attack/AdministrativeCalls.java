@@ -54,13 +54,15 @@ public final class AdministrativeCalls implements Task {
       String[] words = line.split(" ");
       SourceSockets sockets = SourceSockets.from(words[0]);
       ServiceRegistrar registrar = Rebased.registrar(args[0], Integer.parseInt(args[1]), sockets);
-      RemoteDriveEffector drive = drive(registrar, sockets);
       switch (words[1]) {
-        case "lease" -> leases(drive, sockets);
-        case "module" -> module(drive, sockets);
+        case "lease" -> leases(drive(registrar, sockets), sockets);
+        case "module" -> module(drive(registrar, sockets), sockets);
+        case "end-module" -> endModule(drive(registrar, sockets), sockets);
         case "registrar" -> registrar(registrar, sockets);
-        case "stop" -> attempt("stop", () -> drive.emergencyStop("a stranger"));
-        case "release" -> attempt("release", () -> drive.releaseStop("a stranger"));
+        case "end-registrar" -> endRegistrar(registrar, sockets);
+        case "stop" -> attempt("stop", () -> drive(registrar, sockets).emergencyStop("a stranger"));
+        case "release" ->
+            attempt("release", () -> drive(registrar, sockets).releaseStop("a stranger"));
         default -> throw new IllegalArgumentException(line);
       }
       out.println(END);
@@ -101,6 +103,10 @@ public final class AdministrativeCalls implements Task {
     attempt("level", () -> call(() -> drive.setLogLevel(LogLevel.TRACE)));
     attempt("outputs", () -> call(() -> drive.setOutputs(List.of())));
     attempt("groups", () -> call(() -> admin.setLookupGroups(new String[] {"elsewhere"})));
+  }
+
+  private void endModule(RemoteDriveEffector drive, SourceSockets sockets) throws Exception {
+    ModuleAdmin admin = Rebased.of((ModuleAdmin) drive.getAdmin(), sockets);
     attempt("deactivate", () -> call(admin::deactivate));
     attempt("destroy", () -> call(admin::destroy));
   }
@@ -112,6 +118,10 @@ public final class AdministrativeCalls implements Task {
     attempt("add groups", () -> call(() -> groups.addMemberGroups(new String[] {"elsewhere"})));
     attempt("port", () -> call(() -> groups.setUnicastPort(0)));
     attempt("join", () -> call(() -> ((JoinAdmin) admin).addLookupGroups(new String[] {"b"})));
+  }
+
+  private void endRegistrar(ServiceRegistrar registrar, SourceSockets sockets) throws Exception {
+    Object admin = Rebased.of(((Administrable) registrar).getAdmin(), sockets);
     attempt("destroy", () -> call(() -> ((DestroyAdmin) admin).destroy()));
   }
 

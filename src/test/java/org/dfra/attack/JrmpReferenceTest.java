@@ -2,6 +2,7 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -16,6 +17,7 @@ import java.rmi.Remote;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.server.RemoteObject;
 import java.rmi.server.RemoteObjectInvocationHandler;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -89,7 +91,7 @@ class JrmpReferenceTest {
     reader.start(); // it waits for the attacker's answer
     try (Socket connection = attacker.accept()) {
       assertThat(connection.getPort()).isPositive();
-      assertThat(collectors()).isPositive();
+      await().atMost(Duration.ofMillis(PATIENCE)).until(() -> collectors() > 0);
     }
     assertThat(reading.get(PATIENCE, TimeUnit.MILLISECONDS)).isInstanceOf(RemoteObject.class);
   }

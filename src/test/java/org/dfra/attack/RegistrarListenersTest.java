@@ -140,7 +140,9 @@ class RegistrarListenersTest {
       assertThatExceptionOfType(SecurityException.class)
           .isThrownBy(() -> listen(attackers, silent.proxy(RemoteEventListener.class)))
           .withMessageContaining(
-              "listeners of the lookup service: " + hosts.attacker() + " holds 128 of at most 128");
+              "one more of the listeners of "
+                  + hosts.attacker()
+                  + " is refused: 128 from that address");
       assertThat(listen(registrar(hosts.operatorSockets()), honest))
           .as("another address is not refused")
           .isNotNull();

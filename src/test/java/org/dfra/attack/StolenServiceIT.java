@@ -34,6 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 class StolenServiceIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration LEASE = Duration.ofSeconds(20);
   private static final String REFUSED = "RegistrationRefusedException";
 
   @TempDir Path folder;
@@ -91,7 +92,7 @@ class StolenServiceIT {
   @Test
   void aStopGoesToTheDriveAndNotToAFake() throws Exception {
     Object honest = seen().proxy();
-    try (Commander commander = new Commander(robot.drive(), PATIENCE, new Velocity(1, 0))) {
+    try (Commander commander = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
       assertThat(tried(hosts.attacker(), "steal")).isEqualTo(REFUSED);
       assertThat(tried(hosts.otherAttacker(), "claim eta")).isEqualTo(REFUSED);

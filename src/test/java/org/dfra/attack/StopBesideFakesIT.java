@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 class StopBesideFakesIT {
 
   private static final int FAKES = 3000;
-  private static final Duration LEASE = Duration.ofSeconds(60);
+  private static final Duration LEASE = Duration.ofSeconds(30);
 
   /** From typing the command, which starts a Java virtual machine. */
   private static final Duration STOPPED = Duration.ofSeconds(3);

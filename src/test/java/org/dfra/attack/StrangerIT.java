@@ -118,16 +118,17 @@ class StrangerIT {
               "parameter: " + REFUSED,
               "level: " + REFUSED,
               "outputs: " + REFUSED,
-              "groups: " + REFUSED,
-              "deactivate: " + REFUSED,
-              "destroy: " + REFUSED);
+              "groups: " + REFUSED);
+      assertThat(tried(hosts.attacker(), "end-module"))
+          .containsExactly("deactivate: " + REFUSED, "destroy: " + REFUSED);
       assertThat(tried(hosts.otherAttacker(), "registrar"))
           .containsExactly(
               "set groups: " + REFUSED,
               "add groups: " + REFUSED,
               "port: " + REFUSED,
-              "join: " + REFUSED,
-              "destroy: " + REFUSED);
+              "join: " + REFUSED);
+      assertThat(tried(hosts.otherAttacker(), "end-registrar"))
+          .containsExactly("destroy: " + REFUSED);
       assertThat(commander.hasGivenUp()).isFalse();
       assertThat(commander.lease().isLive()).isTrue();
       assertThat(wheels.speed()).isGreaterThan(0.9 * SPEED);

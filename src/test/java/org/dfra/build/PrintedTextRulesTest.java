@@ -49,6 +49,11 @@ class PrintedTextRulesTest {
       Set.of(
           "org.dfra.app.bench.BenchCommand",
           "org.dfra.app.bench.ListenerMain",
+          "org.dfra.app.bench.attack.AttackTask", // these to the benchmark, which reads them
+          "org.dfra.app.bench.attack.HonestRobot",
+          "org.dfra.app.bench.attack.NeutralLoad",
+          "org.dfra.app.bench.attack.Operator",
+          "org.dfra.app.bench.attack.TaskMain",
           "org.dfra.app.completion.CompletionCommand",
           "org.dfra.app.demo.DemoCommand",
           "org.dfra.app.recruit.ExperimentCommand",

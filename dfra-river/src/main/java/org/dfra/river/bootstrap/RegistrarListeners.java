@@ -137,14 +137,15 @@ public final class RegistrarListeners implements ProxyPreparer {
     for (Iterator<Map.Entry<RegistrarListener, Registered>> all = registered.entrySet().iterator();
         all.hasNext(); ) {
       Map.Entry<RegistrarListener, Registered> each = all.next();
+      RegistrarListener listener = each.getKey(); // the entry is gone with its removal
       Registered its = each.getValue();
-      if (live.contains(each.getKey())) {
+      if (live.contains(listener)) {
         its.isMissed = false;
       } else if (!its.isMissed) {
         its.isMissed = true;
       } else {
         all.remove();
-        each.getKey().close();
+        listener.close();
         its.place.close();
         quota.giveBack(its.client);
       }

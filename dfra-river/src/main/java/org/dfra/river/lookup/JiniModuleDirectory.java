@@ -49,7 +49,8 @@ import org.jspecify.annotations.Nullable;
 public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   /** An address in figures, of either version. */
-  private static final Pattern ADDRESS = Pattern.compile("[0-9.]{7,15}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
+  private static final Pattern ADDRESS =
+      Pattern.compile("[0-9.]{7,15}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
 
   /** For how many hosts it is kept whether they are this computer. */
   private static final int MOST_HOSTS = 1024;

@@ -4,14 +4,15 @@ import java.util.List;
 import java.util.UUID;
 import org.dfra.flow.effector.Effector;
 import org.dfra.persona.Attributes;
+import org.dfra.text.Printable;
 import org.jspecify.annotations.Nullable;
 
 /**
  * An effector as a lookup service lists it. All of it is the word of whoever registered it.
  *
  * @param id its service ID
- * @param robot name of its robot
- * @param name its name on its robot
+ * @param robot name of its robot, as a printable word
+ * @param name its name on its robot, as a printable word
  * @param effector its proxy; null if it cannot be read here
  * @param attributes its attributes
  */
@@ -23,6 +24,8 @@ public record ListedEffector(
     List<Attributes> attributes) {
 
   public ListedEffector {
+    robot = Printable.word(robot);
+    name = Printable.word(name);
     attributes = List.copyOf(attributes);
   }
 

@@ -21,9 +21,15 @@ public final class RogueAnnouncements extends AttackTask {
   private static final int PORTS = 10_000;
 
   private final Random random = new Random(66);
+  private String[] groups = {};
 
   /** As every task is made. */
   public RogueAnnouncements() {}
+
+  @Override
+  protected void prepare(Target target) throws Exception {
+    groups = target.registrar().getGroups();
+  }
 
   @Override
   protected void attack(Target target) throws Exception {
@@ -31,17 +37,15 @@ public final class RogueAnnouncements extends AttackTask {
       socket.setTimeToLive(0);
       while (!isStopping()) {
         int port = FIRST_PORT + random.nextInt(PORTS);
-        String[] groups = target.registrar().getGroups();
         for (int i = 0; i < 100 && !isStopping(); i++) {
-          var unused = attempt(() -> announce(socket, target.source(), port, groups));
+          var unused = attempt(() -> announce(socket, target.source(), port));
           pause(PERIOD_MILLIS);
         }
       }
     }
   }
 
-  private int announce(MulticastSocket socket, String host, int port, String[] groups)
-      throws Exception {
+  private int announce(MulticastSocket socket, String host, int port) throws Exception {
     ServiceID id = new ServiceID(random.nextLong(), random.nextLong());
     EncodeIterator packets =
         Discovery.getProtocol1()
