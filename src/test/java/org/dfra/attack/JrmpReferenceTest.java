@@ -36,7 +36,7 @@ class JrmpReferenceTest {
   private static final int BRIEF = 300;
 
   private static final int PATIENCE = 20_000;
-  private static final String THREAD = "RenewClean-";
+  private static final String THREAD = "RMI RenewClean-";
 
   private OpenBox box;
   private ServerSocket attacker;
