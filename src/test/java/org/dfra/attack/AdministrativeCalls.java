@@ -116,12 +116,12 @@ public final class AdministrativeCalls implements Task {
     DiscoveryAdmin groups = (DiscoveryAdmin) admin;
     attempt("set groups", () -> call(() -> groups.setMemberGroups(new String[] {"elsewhere"})));
     attempt("add groups", () -> call(() -> groups.addMemberGroups(new String[] {"elsewhere"})));
-    attempt("port", () -> call(() -> groups.setUnicastPort(0)));
     attempt("join", () -> call(() -> ((JoinAdmin) admin).addLookupGroups(new String[] {"b"})));
   }
 
   private void endRegistrar(ServiceRegistrar registrar, SourceSockets sockets) throws Exception {
     Object admin = Rebased.of(((Administrable) registrar).getAdmin(), sockets);
+    attempt("port", () -> call(() -> ((DiscoveryAdmin) admin).setUnicastPort(0)));
     attempt("destroy", () -> call(() -> ((DestroyAdmin) admin).destroy()));
   }
 
