@@ -22,11 +22,11 @@ import org.dfra.river.callback.ClientAddress;
  * a {@link RegistrarListener}, which only queues what it is told and calls the listener in the lane
  * of its process, under a deadline of this computer's.
  *
- * <p>How many listeners a client may have is not checked here but before reggie sees one, see {@link
- * org.dfra.river.registrar.RegistrarILFactory}. Only its processes are counted, by {@link
- * CallbackPeers}. Reggie does not tell when a registration ends, so {@link RegistrarExporter} says
- * each second which ones there are. A lookup service that is exported otherwise keeps no place for a
- * process. Thread-safe.
+ * <p>How many listeners a client may have is checked before reggie sees one, by {@link
+ * org.dfra.river.registrar.RegistrarILFactory}. Here its processes are counted, see {@link
+ * CallbackPeers}. Reggie does not report when a registration ends, so {@link RegistrarExporter}
+ * says each second which ones there are. A lookup service that is exported otherwise keeps no
+ * places. Thread-safe.
  */
 public final class RegistrarListeners implements ProxyPreparer {
 

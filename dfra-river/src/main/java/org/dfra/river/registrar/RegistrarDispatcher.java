@@ -163,7 +163,8 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     for (ReggieState.Listed each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed = namesRobot ? new Source(null, true) : source(Caller.at(claims.host(entries)));
+      Source presumed =
+          namesRobot ? new Source(null, true) : source(Caller.at(claims.host(entries)));
       rules.registered(presumed, each.id(), namesRobot);
     }
     for (long each : state.listeners()) {
