@@ -13,8 +13,6 @@ import java.util.Map;
 import java.util.UUID;
 import net.jini.admin.Administrable;
 import net.jini.core.lease.Lease;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceItem;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleQuery;
@@ -33,7 +31,6 @@ import org.dfra.module.Module;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
-import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.testing.EmbeddedReggie;
@@ -127,7 +124,6 @@ class HostileModuleTest {
 
   @BeforeAll
   static void register() throws Exception {
-    UUID id = UUID.randomUUID();
     ModuleAttributes attributes =
         new ModuleAttributes(
             "robot",
@@ -142,12 +138,10 @@ class HostileModuleTest {
             0);
     registration =
         REGGIE
-            .registrar()
             .register(
-                new ServiceItem(
-                    new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                    new Hostile(),
-                    Entries.of(List.of(attributes))),
+                UUID.randomUUID(),
+                new Hostile(),
+                List.of(attributes),
                 EmbeddedReggie.LEASE_MILLIS)
             .getLease();
     renewals =
