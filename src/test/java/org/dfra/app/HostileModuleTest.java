@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
@@ -181,15 +180,7 @@ class HostileModuleTest {
   }
 
   private static InProcessCommand dfra(String... words) {
-    List<String> all = new ArrayList<>(List.of(words));
-    all.addAll(
-        List.of(
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--wait=20",
-            "--state=" + folder.resolve("state")));
-    return InProcessCommand.run(all.toArray(String[]::new));
+    return InProcessCommand.at(REGGIE, folder.resolve("state"), List.of(words));
   }
 
   @Test

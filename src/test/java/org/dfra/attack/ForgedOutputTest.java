@@ -60,14 +60,8 @@ class ForgedOutputTest {
 
   private static InProcessCommand run(String... words) {
     List<String> all = new ArrayList<>(Arrays.asList(words));
-    all.addAll(
-        List.of(
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--wait=10",
-            "--state=" + folder.resolve("state")));
-    return InProcessCommand.run(all.toArray(String[]::new));
+    all.add("--wait=10");
+    return InProcessCommand.at(REGGIE, folder.resolve("state"), all);
   }
 
   private static void assertHarmless(String text) {
