@@ -138,10 +138,7 @@ class HostileModuleTest {
     registration =
         REGGIE
             .register(
-                UUID.randomUUID(),
-                new Hostile(),
-                List.of(attributes),
-                EmbeddedReggie.LEASE_MILLIS)
+                UUID.randomUUID(), new Hostile(), List.of(attributes), EmbeddedReggie.LEASE_MILLIS)
             .getLease();
     renewals =
         new LeaseRenewalManager(

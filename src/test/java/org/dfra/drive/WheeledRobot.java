@@ -156,7 +156,7 @@ public final class WheeledRobot implements AutoCloseable {
   }
 
   /** Sends a signal to the process of a group. */
-  void signal(String name, String group) throws Exception {
+  public void signal(String name, String group) throws Exception {
     signal(name, phoenix.group(group).pid());
   }
 
