@@ -1,12 +1,11 @@
 package org.dfra.river.phoenix;
 
 import java.net.InetAddress;
-import java.net.NetworkInterface;
-import java.net.SocketException;
 import java.rmi.RemoteException;
 import java.rmi.server.ServerNotActiveException;
 import net.jini.export.ServerContext;
 import net.jini.io.context.ClientHost;
+import org.dfra.river.access.OwnAddresses;
 import org.jspecify.annotations.Nullable;
 
 /** Lets only callers on this machine register and monitor. */
@@ -20,7 +19,7 @@ final class LocalAccess {
    */
   void check(String what) throws RemoteException {
     InetAddress caller = caller();
-    if (caller != null && !isLocal(caller)) {
+    if (caller != null && !OwnAddresses.ofThisComputer().contain(caller)) {
       throw new java.rmi.AccessException(
           what
               + " is refused to "
@@ -36,15 +35,6 @@ final class LocalAccess {
           : null;
     } catch (ServerNotActiveException e) {
       return null; // no remote call: a caller in this virtual machine
-    }
-  }
-
-  /** Asked anew each time: a robot's addresses change while it drives from network to network. */
-  private static boolean isLocal(InetAddress address) {
-    try {
-      return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
-    } catch (SocketException e) {
-      return false;
     }
   }
 }
