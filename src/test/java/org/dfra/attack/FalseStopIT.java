@@ -52,10 +52,7 @@ class FalseStopIT {
   }
 
   private Said stop() throws Exception {
-    return robot.stopFromElsewhere(
-        elsewhere,
-        "--all",
-        "--phoenix=" + WheeledRobot.HOST + ":" + robot.phoenix().process().port());
+    return robot.stopFromElsewhere(elsewhere, "--all", robot.phoenixOption());
   }
 
   @Test

@@ -162,9 +162,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   void dropsAModuleWhoseLeaseRanOut() throws Exception {
     ListedGps gps = new ListedGps(UUID.randomUUID(), "gps");
     try (StallProbe probe = StallProbe.start()) {
-      reggies
-          .get(0)
-          .register(gps.id(), gps, attributes("r", "gps", 1), SHORT_LEASE.toMillis());
+      reggies.get(0).register(gps.id(), gps, attributes("r", "gps", 1), SHORT_LEASE.toMillis());
       StallProbe.Stopwatch leased = probe.stopwatch();
       assertThat(directory.find(GPSSensor.class, PATIENCE)).isPresent();
       await()

@@ -151,6 +151,11 @@ public final class WheeledRobot implements AutoCloseable {
     return xml;
   }
 
+  /** The option of {@code ./dfra stop} that names its phoenix. */
+  public String phoenixOption() {
+    return "--phoenix=" + phoenix.process().host() + ":" + phoenix.process().port();
+  }
+
   public void awaitFullSpeed() {
     await().atMost(PATIENCE).until(() -> wheels.speed() > 0.9);
   }
