@@ -7,14 +7,11 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import net.jini.admin.Administrable;
 import net.jini.core.lease.Lease;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceItem;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleQuery;
@@ -33,7 +30,6 @@ import org.dfra.module.Module;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
-import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.testing.EmbeddedReggie;
@@ -127,7 +123,6 @@ class HostileModuleTest {
 
   @BeforeAll
   static void register() throws Exception {
-    UUID id = UUID.randomUUID();
     ModuleAttributes attributes =
         new ModuleAttributes(
             "robot",
@@ -142,13 +137,8 @@ class HostileModuleTest {
             0);
     registration =
         REGGIE
-            .registrar()
             .register(
-                new ServiceItem(
-                    new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                    new Hostile(),
-                    Entries.of(List.of(attributes))),
-                EmbeddedReggie.LEASE_MILLIS)
+                UUID.randomUUID(), new Hostile(), List.of(attributes), EmbeddedReggie.LEASE_MILLIS)
             .getLease();
     renewals =
         new LeaseRenewalManager(
@@ -187,15 +177,7 @@ class HostileModuleTest {
   }
 
   private static InProcessCommand dfra(String... words) {
-    List<String> all = new ArrayList<>(List.of(words));
-    all.addAll(
-        List.of(
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--wait=20",
-            "--state=" + folder.resolve("state")));
-    return InProcessCommand.run(all.toArray(String[]::new));
+    return InProcessCommand.at(REGGIE, folder.resolve("state"), List.of(words));
   }
 
   @Test

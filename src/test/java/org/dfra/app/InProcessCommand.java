@@ -2,6 +2,10 @@ package org.dfra.app;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.testing.EmbeddedReggie;
 import picocli.CommandLine;
 
 /**
@@ -22,5 +26,26 @@ public record InProcessCommand(int code, String out, String err) {
     line.setErr(new PrintWriter(err, true));
     int code = line.execute(args);
     return new InProcessCommand(code, out.toString(), err.toString());
+  }
+
+  /**
+   * The same, of a command that looks for modules: it finds those of one lookup service, and waits
+   * 20 s for them where its words do not say how long.
+   *
+   * @param state a folder that nobody's phoenix uses; it need not be there
+   * @param words the command and its options
+   */
+  public static InProcessCommand at(EmbeddedReggie reggie, Path state, List<String> words) {
+    List<String> all = new ArrayList<>(words);
+    if (words.stream().noneMatch(each -> each.startsWith("--wait="))) {
+      all.add("--wait=20");
+    }
+    all.addAll(
+        List.of(
+            "--team=",
+            "--locator=" + EmbeddedReggie.HOST + ":" + reggie.port(),
+            "--host=" + EmbeddedReggie.HOST,
+            "--state=" + state));
+    return run(all.toArray(String[]::new));
   }
 }

@@ -52,10 +52,7 @@ class FalseStopIT {
   }
 
   private Said stop() throws Exception {
-    return robot.stopFromElsewhere(
-        elsewhere,
-        "--all",
-        "--phoenix=" + WheeledRobot.HOST + ":" + robot.phoenix().process().port());
+    return robot.stopFromElsewhere(elsewhere, "--all", robot.phoenixOption());
   }
 
   @Test
@@ -78,9 +75,7 @@ class FalseStopIT {
   @Test
   void whatItsPhoenixCannotConfirmIsShownAsDoubt() throws Exception {
     fakes.replace();
-    long pid = robot.phoenix().group("eta.wheels").pid();
-    Process kill = new ProcessBuilder("kill", "-STOP", Long.toString(pid)).start();
-    assertThat(kill.waitFor()).isZero();
+    robot.signal("STOP", "eta.wheels");
     try {
       Said said = stop();
       assertThat(said.status()).as(said.text()).isEqualTo(4);

@@ -8,13 +8,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.UUID;
 import net.jini.core.lease.Lease;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceItem;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.app.InProcessCommand;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.persona.Attributes;
-import org.dfra.river.entry.Entries;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.text.Printable;
 import org.junit.jupiter.api.AfterAll;
@@ -49,16 +46,9 @@ class ForgedOutputTest {
 
   private static void register(Object service, List<? extends Attributes> attributes)
       throws Exception {
-    UUID id = UUID.randomUUID();
     Lease lease =
         REGGIE
-            .registrar()
-            .register(
-                new ServiceItem(
-                    new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                    service,
-                    Entries.of(attributes)),
-                EmbeddedReggie.LEASE_MILLIS)
+            .register(UUID.randomUUID(), service, attributes, EmbeddedReggie.LEASE_MILLIS)
             .getLease();
     RENEWAL.renewUntil(lease, Lease.FOREVER, null);
   }
@@ -70,14 +60,8 @@ class ForgedOutputTest {
 
   private static InProcessCommand run(String... words) {
     List<String> all = new ArrayList<>(Arrays.asList(words));
-    all.addAll(
-        List.of(
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--wait=10",
-            "--state=" + folder.resolve("state")));
-    return InProcessCommand.run(all.toArray(String[]::new));
+    all.add("--wait=10");
+    return InProcessCommand.at(REGGIE, folder.resolve("state"), all);
   }
 
   private static void assertHarmless(String text) {

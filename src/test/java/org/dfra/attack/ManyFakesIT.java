@@ -2,12 +2,10 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.dfra.app.bench.attack.TaskProcess;
-import org.dfra.core.config.RobotXml;
 import org.dfra.core.time.StallProbe;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.Wheels;
@@ -44,26 +42,9 @@ class ManyFakesIT {
   @BeforeEach
   void bringUp() throws Exception {
     wheels = new Wheels();
-    Path xml =
-        Files.writeString(
-            folder.resolve("robot.xml"),
-            """
-            <robot xmlns="urn:dfra:robot:1" name="eta" host="%s">
-              <group name="all">
-                <registrar port="0" classes="off"/>
-                <module name="drive" properties="%s/config/modules/rflex-drive.properties">
-                  <parameter name="link" value="%s"/>
-                </module>
-              </group>
-            </robot>
-            """
-                .formatted(hosts.robot(), System.getProperty("dfra.root"), wheels.url()));
-    robot = new EmbeddedRobot(RobotXml.read(xml));
+    robot = AttackedRobot.of(folder, hosts.robot(), "", wheels);
     robot.start();
-    task =
-        TaskProcess.start(
-            FakeServices.class, hosts.robot(), Integer.toString(robot.registrar().port()));
-    String unused = task.awaitLine("ready", PATIENCE);
+    task = AttackedRobot.attacker(FakeServices.class, hosts.robot(), robot.registrar().port());
   }
 
   @AfterEach

@@ -50,10 +50,7 @@ class StolenServiceIT {
     robot = WheeledRobot.start(folder, "drive");
     locator = new LookupLocator(robot.locator());
     drive = Fakes.id(registrar(), DriveEffector.class);
-    task =
-        TaskProcess.start(
-            FakeServices.class, locator.getHost(), Integer.toString(locator.getPort()));
-    String unused = task.awaitLine("ready", PATIENCE);
+    task = AttackedRobot.attacker(FakeServices.class, locator.getHost(), locator.getPort());
     assertThat(tried(hosts.attacker(), "learn")).isEqualTo("done");
   }
 

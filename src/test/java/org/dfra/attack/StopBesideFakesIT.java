@@ -75,11 +75,7 @@ class StopBesideFakesIT {
 
   @Test
   void itsPhoenixStopsItBeforeAnythingIsRead() throws Exception {
-    Said said =
-        stopInTime(
-            "./dfra stop --all beside 3 000 fakes",
-            "--all",
-            "--phoenix=" + WheeledRobot.HOST + ":" + robot.phoenix().process().port());
+    Said said = stopInTime("./dfra stop --all beside 3 000 fakes", "--all", robot.phoenixOption());
     assertThat(said.text()).contains("eta/drive: stopped.\n");
   }
 

@@ -3,7 +3,6 @@ package org.dfra.attack;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -11,7 +10,6 @@ import java.util.List;
 import net.jini.admin.Administrable;
 import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.app.bench.attack.TaskProcess;
-import org.dfra.core.config.RobotXml;
 import org.dfra.drive.Commander;
 import org.dfra.drive.Wheels;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -51,35 +49,15 @@ class StrangerIT {
   @BeforeEach
   void bringUp() throws Exception {
     wheels = new Wheels();
-    Path xml =
-        Files.writeString(
-            folder.resolve("robot.xml"),
-            """
-            <robot xmlns="urn:dfra:robot:1" name="eta" host="%s">
-              <administration from="%s"/>
-              <group name="all">
-                <registrar port="0" classes="off"/>
-                <module name="drive" properties="%s/config/modules/rflex-drive.properties">
-                  <parameter name="link" value="%s"/>
-                </module>
-              </group>
-            </robot>
-            """
-                .formatted(
-                    hosts.robot(),
-                    hosts.operator(),
-                    System.getProperty("dfra.root"),
-                    wheels.url()));
-    robot = new EmbeddedRobot(RobotXml.read(xml));
+    String administration = "<administration from=\"" + hosts.operator() + "\"/>";
+    robot = AttackedRobot.of(folder, hosts.robot(), administration, wheels);
     robot.start();
     directory =
         new JiniModuleDirectory(hosts.robot(), List.of(), List.of(robot.registrar().locator()));
     drive = directory.find(DriveEffector.class, PATIENCE).orElseThrow();
     assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
     task =
-        TaskProcess.start(
-            AdministrativeCalls.class, hosts.robot(), Integer.toString(robot.registrar().port()));
-    String unused = task.awaitLine("ready", PATIENCE);
+        AttackedRobot.attacker(AdministrativeCalls.class, hosts.robot(), robot.registrar().port());
   }
 
   @AfterEach

@@ -8,9 +8,6 @@ import java.util.UUID;
 import java.util.function.Consumer;
 import net.jini.core.event.RemoteEvent;
 import net.jini.core.lease.Lease;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceItem;
-import net.jini.core.lookup.ServiceRegistration;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.lease.LeaseRenewalManager;
@@ -22,7 +19,6 @@ import org.dfra.recruit.river.RecruitmentAgentProxy;
 import org.dfra.recruit.river.RemoteRecruitmentAgent;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
-import org.dfra.river.entry.Entries;
 import org.dfra.testing.EmbeddedReggie;
 
 /** An agent that does nothing but to take down which remote events it is sent. */
@@ -61,16 +57,14 @@ final class Eavesdropper implements AutoCloseable {
             Endpoints.tcp(EmbeddedReggie.HOST, 0), new DeadlineILFactory(), false, false);
     UUID id = UUID.randomUUID();
     RemoteRecruitmentAgent stub = (RemoteRecruitmentAgent) exporter.export(server);
-    ServiceRegistration registered =
+    this.lease =
         reggie
-            .registrar()
             .register(
-                new ServiceItem(
-                    new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                    new RecruitmentAgentProxy(stub, id, SELF),
-                    Entries.of(List.of(self(), recruitment(percept)))),
-                EmbeddedReggie.LEASE_MILLIS);
-    this.lease = registered.getLease();
+                id,
+                new RecruitmentAgentProxy(stub, id, SELF),
+                List.of(self(), recruitment(percept)),
+                EmbeddedReggie.LEASE_MILLIS)
+            .getLease();
     renewal.renewUntil(lease, Lease.FOREVER, null);
   }
 

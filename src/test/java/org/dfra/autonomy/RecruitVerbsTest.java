@@ -65,16 +65,7 @@ class RecruitVerbsTest {
   private static InProcessCommand recruit(String... args) {
     List<String> all = new ArrayList<>(List.of("recruit"));
     all.addAll(List.of(args));
-    if (all.stream().noneMatch(each -> each.startsWith("--wait="))) {
-      all.add("--wait=20");
-    }
-    all.addAll(
-        List.of(
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--state=" + folder.resolve("state")));
-    return InProcessCommand.run(all.toArray(String[]::new));
+    return InProcessCommand.at(REGGIE, folder.resolve("state"), all);
   }
 
   private static void awaitHeld(String why) {

@@ -23,8 +23,6 @@ import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lease.Lease;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.core.host.FreePorts;
@@ -118,7 +116,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     @Override
     public void announce(PersonaAttributes robot) throws Exception {
       // As a robot's registrar is told; here by a service of its own, since reggie is one robot's.
-      register(reggie, UUID.randomUUID(), "a registrar", List.of(robot), 100 * LEASE);
+      reggie.register(UUID.randomUUID(), "a registrar", List.of(robot), 100 * LEASE);
     }
 
     @Override
@@ -152,23 +150,10 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     }
   }
 
-  private static ServiceRegistration register(
-      EmbeddedReggie reggie, UUID id, Object service, List<Attributes> attributes, long lease)
-      throws Exception {
-    return reggie
-        .registrar()
-        .register(
-            new ServiceItem(
-                new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                service,
-                Entries.of(attributes)),
-            lease);
-  }
-
   /** Registers a module and renews its lease. */
   private ServiceRegistration keep(
       EmbeddedReggie reggie, ListedGps module, List<Attributes> attributes) throws Exception {
-    ServiceRegistration begun = register(reggie, module.id(), module, attributes, LEASE);
+    ServiceRegistration begun = reggie.register(module.id(), module, attributes, LEASE);
     renewals.renewUntil(begun.getLease(), Lease.FOREVER, null);
     return begun;
   }
@@ -177,7 +162,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   void dropsAModuleWhoseLeaseRanOut() throws Exception {
     ListedGps gps = new ListedGps(UUID.randomUUID(), "gps");
     try (StallProbe probe = StallProbe.start()) {
-      register(reggies.get(0), gps.id(), gps, attributes("r", "gps", 1), SHORT_LEASE.toMillis());
+      reggies.get(0).register(gps.id(), gps, attributes("r", "gps", 1), SHORT_LEASE.toMillis());
       StallProbe.Stopwatch leased = probe.stopwatch();
       assertThat(directory.find(GPSSensor.class, PATIENCE)).isPresent();
       await()
@@ -240,12 +225,16 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     }
   }
 
+  private void showAtTheRegistrar(PersonaAttributes persona) throws Exception {
+    JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
+    admin.addLookupAttributes(Entries.of(List.of(persona)));
+  }
+
   @Test
   void readsARobotsPersonaFromItsRegistrar() throws Exception {
     PersonaAttributes persona =
         new PersonaAttributes("atrv1", "scout", List.of("map the field"), List.of());
-    JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
-    admin.addLookupAttributes(Entries.of(List.of(persona)));
+    showAtTheRegistrar(persona);
     await()
         .atMost(PATIENCE)
         .untilAsserted(
@@ -260,9 +249,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   void aPersonaIsThatOfTheRobotOnItsRegistrarsHost() throws Exception {
     list("atrv1", "gps", 1); // on the registrar's host
     list("gps", List.of(module("atrv1", "gps", "192.0.2.1", Readiness.READY)), Locality.REMOTE);
-    PersonaAttributes persona = new PersonaAttributes("atrv1", "scout", List.of(), List.of());
-    JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
-    admin.addLookupAttributes(Entries.of(List.of(persona)));
+    showAtTheRegistrar(new PersonaAttributes("atrv1", "scout", List.of(), List.of()));
     await()
         .atMost(PATIENCE)
         .untilAsserted(
@@ -357,9 +344,9 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   @Test
   void leavesOutServicesThatAreNoModulesOfDfra() throws Exception {
-    register(reggies.get(0), UUID.randomUUID(), "a text", List.of(), 100 * LEASE);
+    reggies.get(0).register(UUID.randomUUID(), "a text", List.of(), 100 * LEASE);
     ListedGps nameless = new ListedGps(UUID.randomUUID(), "nameless");
-    register(reggies.get(0), nameless.id(), nameless, List.of(), 100 * LEASE);
+    reggies.get(0).register(nameless.id(), nameless, List.of(), 100 * LEASE);
     list("r", "gps", 1);
     assertThat(directory.find(ModuleQuery.of(GPSSensor.class)))
         .singleElement()

@@ -45,19 +45,13 @@ final class Installation implements AutoCloseable {
 
   /** Packs what this build has made; returns the tarball. */
   static Path pack(Path out) throws IOException, InterruptedException {
-    String build = Files.isDirectory(ROOT.resolve("dfra-app/target/lib")) ? "target" : "build";
-    Path lib = ROOT.resolve("dfra-app").resolve(build).resolve("lib");
-    assumeTrue(Files.isDirectory(lib), "nothing is packaged yet: run a whole build");
-    Path boot =
-        ROOT.resolve("dfra-activation")
-            .resolve(build.equals("target") ? build : "build/libs")
-            .resolve("dfra-activation.jar");
+    BuiltJars built = BuiltJars.assumed();
     Outcome packed =
         run(
             Map.of(),
             ROOT.resolve("src/dist/pack").toString(),
-            lib.toString(),
-            boot.toString(),
+            built.lib().toString(),
+            built.boot().toString(),
             out.toString());
     return Path.of(packed.out().strip());
   }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.dfra.dist.BuiltJars;
 
 /**
  * A checkout in which nothing can be built: a copy of the script {@code ./dfra}, of the jars that
@@ -30,23 +31,17 @@ final class ScriptCopy implements AutoCloseable {
    * @param folder a folder of this test alone, which is made
    */
   ScriptCopy(Path folder) throws IOException {
-    String build = Files.isDirectory(ROOT.resolve("dfra-app/target/lib")) ? "target" : "build";
-    Path lib = ROOT.resolve("dfra-app").resolve(build).resolve("lib");
-    assumeTrue(Files.isDirectory(lib), "nothing is packaged yet: run a whole build");
-    Path boot =
-        ROOT.resolve("dfra-activation")
-            .resolve(build.equals("target") ? build : "build/libs")
-            .resolve("dfra-activation.jar");
+    BuiltJars built = BuiltJars.assumed();
     this.folder = folder;
     copy(ROOT.resolve("dfra"), folder.resolve("dfra"));
     copy(ROOT.resolve("src/dist/libexec/java.sh"), folder.resolve("src/dist/libexec/java.sh"));
     Path jars = folder.resolve(".dfra/jars/one");
-    try (Stream<Path> files = Files.walk(lib)) {
+    try (Stream<Path> files = Files.walk(built.lib())) {
       for (Path each : files.filter(Files::isRegularFile).toList()) {
-        copy(each, jars.resolve("lib").resolve(lib.relativize(each)));
+        copy(each, jars.resolve("lib").resolve(built.lib().relativize(each)));
       }
     }
-    copy(boot, jars.resolve("boot/dfra-activation.jar"));
+    copy(built.boot(), jars.resolve("boot/dfra-activation.jar"));
     Files.writeString(jars.resolve("fingerprint"), "of other sources\n");
     Files.createSymbolicLink(jars.resolveSibling("current"), Path.of("one"));
     Path sources = Files.createDirectories(folder.resolve("dfra-app/src/main/java"));

@@ -151,12 +151,17 @@ public final class WheeledRobot implements AutoCloseable {
     return xml;
   }
 
+  /** The option of {@code ./dfra stop} that names its phoenix. */
+  public String phoenixOption() {
+    return "--phoenix=" + phoenix.process().host() + ":" + phoenix.process().port();
+  }
+
   public void awaitFullSpeed() {
     await().atMost(PATIENCE).until(() -> wheels.speed() > 0.9);
   }
 
   /** Sends a signal to the process of a group. */
-  void signal(String name, String group) throws Exception {
+  public void signal(String name, String group) throws Exception {
     signal(name, phoenix.group(group).pid());
   }
 

@@ -1,12 +1,18 @@
 package org.dfra.testing;
 
 import java.io.IOException;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceRegistration;
+import org.dfra.persona.Attributes;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
+import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.AfterEachCallback;
@@ -98,6 +104,28 @@ public final class EmbeddedReggie
    */
   public ServiceRegistrar registrar() {
     return running().registrar();
+  }
+
+  /**
+   * Registers a service, as a module registers itself. Its lease is the caller's to renew.
+   *
+   * @param id its service ID
+   * @param service its proxy
+   * @param attributes what it is found by
+   * @param leaseMillis how long it is to be kept without renewal, in milliseconds; less may be
+   *     granted
+   * @throws RemoteException if the lookup service does not take it
+   */
+  public ServiceRegistration register(
+      UUID id, Object service, List<? extends Attributes> attributes, long leaseMillis)
+      throws RemoteException {
+    return registrar()
+        .register(
+            new ServiceItem(
+                new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+                service,
+                Entries.of(attributes)),
+            leaseMillis);
   }
 
   private synchronized EmbeddedRegistrar running() {

@@ -137,15 +137,8 @@ class LateModuleTest {
   void theCommandWaitsAsLongAsItIsTold(@TempDir Path folder) {
     long begun = System.nanoTime();
     InProcessCommand said =
-        InProcessCommand.run(
-            "module",
-            "get",
-            "never",
-            "--team=",
-            "--locator=127.0.0.1:" + REGGIE.port(),
-            "--host=127.0.0.1",
-            "--wait=1.5",
-            "--state=" + folder.resolve("state"));
+        InProcessCommand.at(
+            REGGIE, folder.resolve("state"), List.of("module", "get", "never", "--wait=1.5"));
     assertThat(said.code()).as(said.err()).isEqualTo(ExitCode.NOT_FOUND);
     assertThat(said.err())
         .isEqualTo(

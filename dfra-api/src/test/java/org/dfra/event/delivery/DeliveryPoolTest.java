@@ -26,6 +26,19 @@ class DeliveryPoolTest {
             thread.start();
           });
 
+  /** A delivery that reports its begin and lasts until it is released. */
+  private void block(CountDownLatch blocked, CountDownLatch release) {
+    pool.execute(
+        () -> {
+          blocked.countDown();
+          try {
+            release.await();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        });
+  }
+
   @Test
   void aDeliveryIsMadeAsSoonAsAThreadCanBeStarted() throws InterruptedException {
     refusals.set(3);
@@ -40,15 +53,7 @@ class DeliveryPoolTest {
   void aListenerIsServedByAnotherThreadOnceOneCanBeStarted() throws InterruptedException {
     CountDownLatch blocked = new CountDownLatch(1);
     CountDownLatch release = new CountDownLatch(1);
-    pool.execute(
-        () -> {
-          blocked.countDown();
-          try {
-            release.await();
-          } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-          }
-        });
+    block(blocked, release);
     assertThat(blocked.await(30, TimeUnit.SECONDS)).isTrue();
     refusals.set(2);
     CountDownLatch made = new CountDownLatch(1);
@@ -62,15 +67,7 @@ class DeliveryPoolTest {
     CountDownLatch blocked = new CountDownLatch(3);
     CountDownLatch release = new CountDownLatch(1);
     for (int i = 0; i < 3; i++) {
-      pool.execute(
-          () -> {
-            blocked.countDown();
-            try {
-              release.await();
-            } catch (InterruptedException e) {
-              Thread.currentThread().interrupt();
-            }
-          });
+      block(blocked, release);
     }
     assertThat(blocked.await(30, TimeUnit.SECONDS)).as("three are under way at once").isTrue();
     CountDownLatch made = new CountDownLatch(100);

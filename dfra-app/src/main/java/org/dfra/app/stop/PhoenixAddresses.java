@@ -2,9 +2,9 @@ package org.dfra.app.stop;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.NetworkInterface;
 import java.net.URI;
 import java.net.URISyntaxException;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.stop.StopLocator;
 import org.jspecify.annotations.Nullable;
@@ -121,9 +122,8 @@ final class PhoenixAddresses {
 
   private static boolean isHere(String host) {
     try {
-      InetAddress address = InetAddress.getByName(host);
-      return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
-    } catch (IOException e) { // an unknown name, or the interfaces cannot be read
+      return OwnAddresses.ofThisComputer().contain(InetAddress.getByName(host));
+    } catch (UnknownHostException e) {
       return false;
     }
   }

@@ -32,6 +32,23 @@ public record Caller(@Nullable InetAddress address) {
             .orElse(null));
   }
 
+  /**
+   * The client at an address that was written down.
+   *
+   * @param host the address in digits; of null, and of a name, which is not looked up, the address
+   *     is not known
+   */
+  public static Caller at(@Nullable String host) {
+    if (host == null) {
+      return new Caller(null);
+    }
+    try {
+      return new Caller(AddressRange.of(host).network());
+    } catch (IllegalArgumentException e) {
+      return new Caller(null);
+    }
+  }
+
   /** The client of the remote call in progress on this thread; empty where there is none. */
   public static Optional<Caller> current() {
     try {

@@ -29,6 +29,11 @@ public final class OwnAddresses {
     this.loopback = loopback;
   }
 
+  /** All of this computer: its whole loopback, and every interface. */
+  public static OwnAddresses ofThisComputer() {
+    return new OwnAddresses(null);
+  }
+
   /**
    * Those of a robot that is exported at an address of this computer.
    *
@@ -37,7 +42,7 @@ public final class OwnAddresses {
    */
   public static OwnAddresses exportedAt(@Nullable String host) throws UnknownHostException {
     if (host == null) {
-      return new OwnAddresses(null);
+      return ofThisComputer();
     }
     InetAddress address = InetAddress.getByName(host);
     return new OwnAddresses(address.isLoopbackAddress() ? address : null);

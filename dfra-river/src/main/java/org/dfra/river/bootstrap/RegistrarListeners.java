@@ -4,7 +4,6 @@ import java.rmi.RemoteException;
 import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import net.jini.core.event.RemoteEventListener;
 import net.jini.security.ProxyPreparer;
@@ -13,7 +12,6 @@ import org.dfra.river.callback.CallbackPeers;
 import org.dfra.river.callback.CallbackPlace;
 import org.dfra.river.callback.CallbackRefusedException;
 import org.dfra.river.callback.ClientAddress;
-import org.dfra.river.callback.PeerQuota;
 
 /**
  * The event listeners of one lookup service: for the entries {@code listenerPreparer} and {@code
@@ -24,28 +22,25 @@ import org.dfra.river.callback.PeerQuota;
  * a {@link RegistrarListener}, which only queues what it is told and calls the listener in the lane
  * of its process, under a deadline of this computer's.
  *
- * <p>A client has only so many listeners; one more is refused with a sentence. Reggie does not tell
- * when a registration ends, so {@link RegistrarExporter} says each second which ones there are. A
- * lookup service that is exported otherwise does not count them. Thread-safe.
+ * <p>How many listeners a client may have is checked before reggie sees one, by {@link
+ * org.dfra.river.registrar.RegistrarILFactory}. Here its processes are counted, see {@link
+ * CallbackPeers}. Reggie does not report when a registration ends, so {@link RegistrarExporter}
+ * says each second which ones there are. A lookup service that is exported otherwise keeps no
+ * places. Thread-safe.
  */
 public final class RegistrarListeners implements ProxyPreparer {
 
-  private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(128, 512, 1024);
-
   private final String host;
-  private final PeerQuota quota = new PeerQuota("listeners of the lookup service", LIMITS);
   private final Map<RegistrarListener, Registered> registered =
       new IdentityHashMap<>(); // guarded by this
-  private boolean isCounting; // guarded by this
+  private boolean isWatched; // guarded by this
 
   /** What a listener holds here. */
   private static final class Registered {
-    final ClientAddress client;
     final CallbackPlace place;
     boolean isMissed; // guarded by the listeners: reggie did not have it when it was looked for
 
-    Registered(ClientAddress client, CallbackPlace place) {
-      this.client = client;
+    Registered(CallbackPlace place) {
       this.place = place;
     }
   }
@@ -61,7 +56,8 @@ public final class RegistrarListeners implements ProxyPreparer {
   /**
    * Replaces a listener that has come from a client, or that reggie has read from its log.
    *
-   * @throws SecurityException if its client has as many as it may, or it is no listener
+   * @throws SecurityException if it is no listener, or is in another process than its client's
+   *     others, and these are as many as may be
    */
   @Override
   public Object prepareProxy(Object proxy) throws RemoteException {
@@ -78,7 +74,7 @@ public final class RegistrarListeners implements ProxyPreparer {
 
   /** Reggie reads its log before it is exported; a client's own claims are not believed. */
   private synchronized ClientAddress client(Object proxy) {
-    if (!isCounting && proxy instanceof RegistrarListener recovered) {
+    if (!isWatched && proxy instanceof RegistrarListener recovered) {
       return ClientAddress.of(recovered.client(), host);
     }
     return ClientAddress.ofCall(host);
@@ -94,12 +90,6 @@ public final class RegistrarListeners implements ProxyPreparer {
 
   private synchronized RegistrarListener register(
       RemoteEventListener listener, ClientAddress client) {
-    if (isCounting) {
-      Optional<String> refusal = quota.take(client);
-      if (refusal.isPresent()) {
-        throw new SecurityException(refusal.get());
-      }
-    }
     try {
       CallbackPlace place = CallbackPeers.shared().admit(client, listener);
       RegistrarListener made =
@@ -108,23 +98,20 @@ public final class RegistrarListeners implements ProxyPreparer {
               client.host(),
               Callbacks.bounded(listener, RemoteEventListener.class, Callbacks.DEADLINE),
               place.lane());
-      if (isCounting) {
-        registered.put(made, new Registered(client, place));
+      if (isWatched) {
+        registered.put(made, new Registered(place));
       } else {
         place.close();
       }
       return made;
     } catch (CallbackRefusedException e) {
-      if (isCounting) {
-        quota.giveBack(client);
-      }
       throw new SecurityException(String.valueOf(e.getMessage()), e);
     }
   }
 
-  /** From now on listeners are counted, since {@link #retain} will be called each second. */
+  /** From now on places are kept, since {@link #retain} will be called each second. */
   synchronized void begin() {
-    isCounting = true;
+    isWatched = true;
   }
 
   /**
@@ -147,13 +134,7 @@ public final class RegistrarListeners implements ProxyPreparer {
         all.remove();
         listener.close();
         its.place.close();
-        quota.giveBack(its.client);
       }
     }
-  }
-
-  /** How many listeners are counted. */
-  public int count() {
-    return quota.held();
   }
 }

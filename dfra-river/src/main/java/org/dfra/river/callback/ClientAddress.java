@@ -2,66 +2,64 @@ package org.dfra.river.callback;
 
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.rmi.server.RemoteServer;
-import java.rmi.server.ServerNotActiveException;
-import net.jini.export.ServerContext;
-import net.jini.io.context.ClientHost;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dfra.river.access.Caller;
+import org.dfra.river.access.OwnAddresses;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Where a client is, as the connection tells that its call came by.
+ * Where a client is, as the connection that its call came by shows.
  *
- * @param host its address; {@link #UNKNOWN} where the transport does not tell
- * @param isOwn whether it is on this computer, which is trusted with larger bounds
+ * @param host its address, or what {@link Caller} says where that is not known; all clients of
+ *     unknown address share what one client has
+ * @param isOwn whether it is on this computer, as {@link OwnAddresses} has it; this computer is
+ *     trusted with larger bounds
  */
 public record ClientAddress(String host, boolean isOwn) {
 
-  /** Of all clients whose address is not known; they share what one client has. */
-  public static final String UNKNOWN = "an unknown address";
-
   private static final String LOOPBACK = "127.0.0.1";
-  private static final String LOOPBACK_6 = "0:0:0:0:0:0:0:1";
+
+  /** By the server's host: this virtual machine serves at a few. */
+  private static final Map<String, OwnAddresses> OWN = new ConcurrentHashMap<>();
 
   /**
    * Where the call under way on this thread came from. A caller in this virtual machine is on this
    * computer.
    *
-   * @param server address or name that this server's proxies carry: a call from there is this
-   *     computer's own
+   * @param server address or name that this server's proxies carry
    */
   public static ClientAddress ofCall(String server) {
-    try {
-      return ServerContext.getServerContextElement(ClientHost.class) instanceof ClientHost client
-          ? of(client.getClientHost().getHostAddress(), server)
-          : new ClientAddress(UNKNOWN, false);
-    } catch (ServerNotActiveException e) {
-      return ofJrmpCall(server);
-    }
-  }
-
-  private static ClientAddress ofJrmpCall(String server) {
-    try {
-      return of(RemoteServer.getClientHost(), server);
-    } catch (ServerNotActiveException e) { // no remote call at all
-      return new ClientAddress(LOOPBACK, true);
-    }
+    return Caller.current()
+        .map(caller -> of(caller, server))
+        .orElseGet(() -> new ClientAddress(LOOPBACK, true));
   }
 
   /**
    * A client at an address.
    *
-   * @param host its address
+   * @param host its address in digits; that of a name is not known
    * @param server address or name that this server's proxies carry
    */
   public static ClientAddress of(String host, String server) {
-    return new ClientAddress(
-        host, host.equals(LOOPBACK) || host.equals(LOOPBACK_6) || host.equals(address(server)));
+    return of(Caller.at(host), server);
   }
 
-  private static String address(String server) {
-    try {
-      return InetAddress.getByName(server).getHostAddress();
-    } catch (UnknownHostException e) { // then nobody connects from there
-      return server;
+  private static ClientAddress of(Caller caller, String server) {
+    @Nullable InetAddress address = caller.address();
+    return new ClientAddress(caller.toString(), address != null && isOwn(address, server));
+  }
+
+  private static boolean isOwn(InetAddress address, String server) {
+    @Nullable OwnAddresses own = OWN.get(server);
+    if (own == null) {
+      try {
+        own = OwnAddresses.exportedAt(server);
+      } catch (UnknownHostException e) { // until it is known, the smaller bounds hold
+        return false;
+      }
+      OWN.put(server, own);
     }
+    return own.contain(address);
   }
 }

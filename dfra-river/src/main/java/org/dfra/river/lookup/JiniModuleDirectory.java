@@ -2,8 +2,6 @@ package org.dfra.river.lookup;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.NetworkInterface;
-import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.time.Duration;
 import java.time.InstantSource;
@@ -28,6 +26,7 @@ import org.dfra.core.directory.CachedModuleDirectory;
 import org.dfra.directory.Locality;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.loading.BootClassPath;
@@ -268,9 +267,8 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
       return false;
     }
     try {
-      InetAddress address = InetAddress.getByName(host);
-      return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
-    } catch (UnknownHostException | SocketException e) {
+      return OwnAddresses.ofThisComputer().contain(InetAddress.getByName(host));
+    } catch (UnknownHostException e) {
       return false;
     }
   }

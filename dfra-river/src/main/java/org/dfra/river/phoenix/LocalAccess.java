@@ -1,16 +1,17 @@
 package org.dfra.river.phoenix;
 
 import java.net.InetAddress;
-import java.net.NetworkInterface;
-import java.net.SocketException;
+import java.rmi.AccessException;
 import java.rmi.RemoteException;
-import java.rmi.server.ServerNotActiveException;
-import net.jini.export.ServerContext;
-import net.jini.io.context.ClientHost;
+import java.util.Optional;
+import org.dfra.river.access.Caller;
+import org.dfra.river.access.OwnAddresses;
 import org.jspecify.annotations.Nullable;
 
 /** Lets only callers on this machine register and monitor. */
 final class LocalAccess {
+
+  private final OwnAddresses own = OwnAddresses.ofThisComputer();
 
   /**
    * Refuses the remote call under way unless it came from an address of this machine. A caller in
@@ -19,32 +20,18 @@ final class LocalAccess {
    * @param what the call, for the message
    */
   void check(String what) throws RemoteException {
-    InetAddress caller = caller();
-    if (caller != null && !isLocal(caller)) {
-      throw new java.rmi.AccessException(
+    Optional<Caller> caller = Caller.current();
+    if (caller.isPresent() && !isLocal(caller.get())) {
+      throw new AccessException(
           what
               + " is refused to "
-              + caller.getHostAddress()
+              + caller.get()
               + ": only callers on phoenix's own machine may register and monitor");
     }
   }
 
-  private static @Nullable InetAddress caller() {
-    try {
-      return ServerContext.getServerContextElement(ClientHost.class) instanceof ClientHost host
-          ? host.getClientHost()
-          : null;
-    } catch (ServerNotActiveException e) {
-      return null; // no remote call: a caller in this virtual machine
-    }
-  }
-
-  /** Asked anew each time: a robot's addresses change while it drives from network to network. */
-  private static boolean isLocal(InetAddress address) {
-    try {
-      return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
-    } catch (SocketException e) {
-      return false;
-    }
+  private boolean isLocal(Caller caller) {
+    @Nullable InetAddress address = caller.address();
+    return address != null && own.contain(address);
   }
 }

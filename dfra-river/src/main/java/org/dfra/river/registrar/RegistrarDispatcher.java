@@ -15,7 +15,6 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.jeri.ServerCapabilities;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.directory.RegistrationRefusedException;
-import org.dfra.river.access.AddressRange;
 import org.dfra.river.access.Caller;
 import org.dfra.river.access.GuardedDispatcher;
 import org.dfra.river.access.OwnAddresses;
@@ -164,7 +163,8 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     for (ReggieState.Listed each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed = namesRobot ? new Source(null, true) : source(numeric(claims.host(entries)));
+      Source presumed =
+          namesRobot ? new Source(null, true) : source(Caller.at(claims.host(entries)));
       rules.registered(presumed, each.id(), namesRobot);
     }
     for (long each : state.listeners()) {
@@ -177,22 +177,11 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   }
 
   private Source source(Collection<?> context) {
-    return source(Caller.in(context).address());
+    return source(Caller.in(context));
   }
 
-  private Source source(@Nullable InetAddress address) {
+  private Source source(Caller caller) {
+    @Nullable InetAddress address = caller.address();
     return new Source(address, address != null && (own.contain(address) || policy.admits(address)));
-  }
-
-  /** The address that a host is; null where it is a name, which is not looked up. */
-  private static @Nullable InetAddress numeric(@Nullable String host) {
-    if (host == null) {
-      return null;
-    }
-    try {
-      return AddressRange.of(host).network();
-    } catch (IllegalArgumentException e) {
-      return null;
-    }
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.river.registrar;
 
 import java.net.InetAddress;
+import org.dfra.river.access.Caller;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +20,6 @@ record Source(@Nullable InetAddress address, boolean own) {
   /** Its address in digits, or what stands for it. */
   @Override
   public String toString() {
-    return address == null ? "an unknown address" : address.getHostAddress();
+    return new Caller(address).toString();
   }
 }

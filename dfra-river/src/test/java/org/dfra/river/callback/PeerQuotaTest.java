@@ -48,13 +48,24 @@ class PeerQuotaTest {
   }
 
   @Test
-  void theServersAddressAndTheLoopbackAreThisComputer() {
-    assertThat(ClientAddress.of("127.0.0.1", "10.0.0.5").isOwn()).isTrue();
-    assertThat(ClientAddress.of("0:0:0:0:0:0:0:1", "10.0.0.5").isOwn()).isTrue();
-    assertThat(ClientAddress.of("10.0.0.5", "10.0.0.5").isOwn()).isTrue();
-    assertThat(ClientAddress.of("10.0.0.6", "10.0.0.5").isOwn()).isFalse();
-    assertThat(ClientAddress.of("127.0.0.2", "10.0.0.5").isOwn()).isFalse();
-    assertThat(ClientAddress.ofCall("10.0.0.5").isOwn()).as("no remote call").isTrue();
+  void thisComputerIsWhatAdministersIt() {
+    assertThat(ClientAddress.of("127.8.8.8", "127.8.8.8").isOwn()).isTrue();
+    assertThat(ClientAddress.of("127.0.0.1", "127.8.8.8").isOwn()).isTrue();
+    assertThat(ClientAddress.of("0:0:0:0:0:0:0:1", "127.8.8.8").isOwn()).isTrue();
+    assertThat(ClientAddress.of("127.8.8.9", "127.8.8.8").isOwn()).isFalse();
+    assertThat(ClientAddress.of("127.0.0.2", "192.0.2.1").isOwn())
+        .as("nobody else calls from the loopback of a robot that others reach")
+        .isTrue();
+    assertThat(ClientAddress.of("203.0.113.77", "192.0.2.1").isOwn()).isFalse();
+    assertThat(ClientAddress.ofCall("192.0.2.1").isOwn()).as("no remote call").isTrue();
+  }
+
+  @Test
+  void anAddressThatIsNotKnownIsNotThisComputers() {
+    assertThat(ClientAddress.of("localhost", "127.8.8.8"))
+        .as("names are not looked up")
+        .isEqualTo(new ClientAddress("an unknown address", false));
+    assertThat(ClientAddress.of("127.0.0.1", "[no host").isOwn()).isFalse();
   }
 
   @Test
