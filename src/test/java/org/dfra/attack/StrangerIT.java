@@ -100,10 +100,7 @@ class StrangerIT {
       assertThat(tried(hosts.attacker(), "end-module"))
           .containsExactly("deactivate: " + REFUSED, "destroy: " + REFUSED);
       assertThat(tried(hosts.otherAttacker(), "registrar"))
-          .containsExactly(
-              "set groups: " + REFUSED,
-              "add groups: " + REFUSED,
-              "join: " + REFUSED);
+          .containsExactly("set groups: " + REFUSED, "add groups: " + REFUSED, "join: " + REFUSED);
       assertThat(tried(hosts.otherAttacker(), "end-registrar"))
           .containsExactly("port: " + REFUSED, "destroy: " + REFUSED);
       assertThat(commander.hasGivenUp()).isFalse();

@@ -124,7 +124,9 @@ class RemoteSubscriptionTest {
       Timing over = granted.stop();
       assertThat(gps().events().entries()).isEmpty();
       assertThat(gps().readiness()).isEqualTo(Readiness.READY);
-      await().atMost(PATIENCE).until(() -> !unrenewed.isLive()); // the client counts from the answer
+      await()
+          .atMost(PATIENCE)
+          .until(() -> !unrenewed.isLive()); // the client counts from the answer
       assertThat(exporter.unexport(true)).isTrue();
       over.requireWithin(
           "the end of leases of 4 s that nobody renews", LONGEST_LEASE.plus(NOTICED));
