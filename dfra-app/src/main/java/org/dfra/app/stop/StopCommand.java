@@ -257,6 +257,7 @@ public final class StopCommand implements Callable<Integer> {
       @Nullable Effector<?> effector = listed.effector();
       round.callListed(
           listed.id(),
+          listed.registrar(),
           listed.path(),
           () -> {
             if (effector == null) {
