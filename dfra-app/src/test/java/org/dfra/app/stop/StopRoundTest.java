@@ -288,6 +288,37 @@ class StopRoundTest {
   }
 
   @Test
+  void aProxyIsDoubtedWherePhoenixesAreTooManyToBeAsked() {
+    for (int i = 0; i <= 64; i++) {
+      round.askPhoenix(
+          "192.0.2." + i + ":1198",
+          () -> {
+            throw new ConnectException(
+                "refused", new java.net.ConnectException("Connection refused"));
+          });
+    }
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(round.outcomes())
+        .singleElement()
+        .returns(Result.DOUBTFUL, Outcome::result)
+        .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.64:1198"));
+  }
+
+  @Test
+  void anAddressThatMakesNoSenseIsSilentAndStopsNothingElse() {
+    UUID id = UUID.randomUUID();
+    round.askPhoenix(
+        "robot:70000",
+        () -> {
+          throw new IllegalArgumentException("port out of range");
+        });
+    round.askPhoenix(
+        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.confirmations().silent()).containsExactly("robot:70000");
+  }
+
+  @Test
   void anEmbeddedRobotIsStoppedByItsOwnWordWhereNoPhoenixRuns() throws Exception {
     round.askPhoenix(
         "192.0.2.7:1198",
