@@ -49,8 +49,7 @@ record Confirmations(
         }
       }
       its.forEach(
-          (id, stop) ->
-              stops.merge(id, stop, (one, other) -> one.isConfirmed() ? other : one));
+          (id, stop) -> stops.merge(id, stop, (one, other) -> one.isConfirmed() ? other : one));
       if (!ofOne.isEmpty()) {
         unconfirmed.addAll(ofOne.get(ofOne.size() - 1).unconfirmed());
       }

@@ -214,7 +214,8 @@ public final class StopCommand implements Callable<Integer> {
 
   private void order(StopRound round, PhoenixAddresses.Address address) {
     List<String> wanted = all ? List.of() : List.copyOf(robots);
-    round.askPhoenix( // what is wrong with the address fails there, and keeps no other from it
+    // An address that is wrong fails there, and keeps no other from being ordered.
+    round.askPhoenix(
         address.toString(),
         () ->
             StopLocator.at(address.host(), address.port(), StopRound.TRY.minus(MARGIN))

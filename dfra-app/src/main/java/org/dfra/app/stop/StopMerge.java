@@ -104,8 +104,7 @@ final class StopMerge {
   }
 
   /** An effector that a phoenix knows. */
-  private Outcome known(
-      EffectorStop stop, @Nullable Claim claim, Map<String, List<Outcome>> here) {
+  private Outcome known(EffectorStop stop, @Nullable Claim claim, Map<String, List<Outcome>> here) {
     Outcome outcome = ofPhoenix(stop);
     Optional<Outcome> other = only(stop.path(), here);
     if (outcome.result().isWell()) {
