@@ -16,8 +16,9 @@ import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 /**
  * What the phoenixes that were asked say, put together.
  *
- * @param stops what each effector answered to its phoenix, by its identity; where several answers
- *     are known, one that confirms the stop
+ * @param stops what each effector answered to its phoenix, by its identity: of several answers of
+ *     one phoenix one that confirms the stop; of several phoenixes, of which all but one are false,
+ *     one that does not
  * @param robots names of the robots that have a group on a phoenix that answered
  * @param unconfirmed groups that did not answer their phoenix at last
  * @param silent where a phoenix may run that did not answer, as {@code host:port}
@@ -39,13 +40,16 @@ record Confirmations(
     Set<String> robots = new TreeSet<>();
     List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
     for (List<StopReport> ofOne : reports) {
+      Map<UUID, EffectorStop> its = new LinkedHashMap<>();
       for (StopReport report : ofOne) {
         robots.addAll(report.robots());
         for (EffectorStop stop : report.effectors()) {
-          stops.merge(
+          its.merge(
               stop.id(), stop, (old, now) -> old.isConfirmed() && !now.isConfirmed() ? old : now);
         }
       }
+      its.forEach(
+          (id, stop) -> stops.merge(id, stop, (one, other) -> one.isConfirmed() ? other : one));
       if (!ofOne.isEmpty()) {
         unconfirmed.addAll(ofOne.get(ofOne.size() - 1).unconfirmed());
       }

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.dfra.app.team.TeamOptions;
-import org.dfra.core.config.ConfigurationException;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.stop.StopLocator;
@@ -26,6 +25,7 @@ import org.jspecify.annotations.Nullable;
 final class PhoenixAddresses {
 
   private static final String VARIABLE = "DFRA_PHOENIX";
+  private static final int LARGEST_PORT = 65535;
 
   private final TeamOptions options;
   private final List<String> named;
@@ -68,6 +68,7 @@ final class PhoenixAddresses {
     for (String each : named) {
       if (!each.isBlank()) {
         parse("phoenix://" + each.strip())
+            .filter(address -> address.port() >= 1 && address.port() <= LARGEST_PORT)
             .ifPresentOrElse(
                 all::add,
                 () ->
@@ -86,7 +87,7 @@ final class PhoenixAddresses {
       if (options.knownRobots().isEmpty() && !Files.exists(options.state().resolve("journal"))) {
         return Optional.empty();
       }
-    } catch (IOException | ConfigurationException e) { // the search for local effectors remarks it
+    } catch (IOException | RuntimeException e) { // the search for local effectors remarks it
       if (!Files.exists(options.state().resolve("journal"))) {
         return Optional.empty();
       }

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.dfra.river.call.Refusal;
 import org.dfra.river.phoenix.stop.StopReport;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -57,6 +58,7 @@ final class PhoenixAnswers {
   private final Executor threads;
   private final Consumer<StopReport> reported;
   private final Map<String, Asked> asked = new LinkedHashMap<>(); // guarded by this
+  private @Nullable String unasked; // the first of those that are too many; guarded by this
 
   /**
    * @param patience for one of two tries
@@ -79,7 +81,10 @@ final class PhoenixAnswers {
       return;
     }
     if (asked.size() >= LIMIT) {
-      LOG.warn("No phoenix is asked at {}: {} were asked.", address, LIMIT);
+      if (unasked == null) {
+        unasked = address;
+        LOG.warn("No phoenix is asked at {} and further addresses: {} were asked.", address, LIMIT);
+      }
       return;
     }
     Asked one = new Asked(order);
@@ -150,6 +155,10 @@ final class PhoenixAnswers {
             silent.add(address);
           }
         });
+    @Nullable String further = unasked;
+    if (further != null) {
+      silent.add(further); // it may run what nobody else confirms
+    }
     return Confirmations.of(reports, silent);
   }
 }

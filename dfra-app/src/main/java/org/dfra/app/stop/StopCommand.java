@@ -32,7 +32,6 @@ import org.dfra.river.call.Refusal;
 import org.dfra.river.lookup.EffectorSearch;
 import org.dfra.river.lookup.ListedEffector;
 import org.dfra.river.phoenix.stop.StopLocator;
-import org.dfra.river.phoenix.stop.StopService;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -136,8 +135,8 @@ public final class StopCommand implements Callable<Integer> {
       round.findLocal(() -> callLocal(round));
       try {
         silent.addAll(callListed(round, addresses));
-      } catch (IOException
-          | ConfigurationException e) { // this host's effectors are called all the same
+      } catch (IOException | RuntimeException e) { // what was called or ordered is awaited still
+        LOG.debug("Lookup services cannot be searched.", e);
         silent.add("no lookup service can be looked for: " + e.getMessage());
       }
       List<Outcome> outcomes =
@@ -214,10 +213,13 @@ public final class StopCommand implements Callable<Integer> {
   }
 
   private void order(StopRound round, PhoenixAddresses.Address address) {
-    StopService phoenix =
-        StopLocator.at(address.host(), address.port(), StopRound.TRY.minus(MARGIN));
     List<String> wanted = all ? List.of() : List.copyOf(robots);
-    round.askPhoenix(address.toString(), () -> phoenix.emergencyStop(wanted, by));
+    // An address that is wrong fails there, and keeps no other from being ordered.
+    round.askPhoenix(
+        address.toString(),
+        () ->
+            StopLocator.at(address.host(), address.port(), StopRound.TRY.minus(MARGIN))
+                .emergencyStop(wanted, by));
   }
 
   /** Calls each as soon as it is read; returns the named lookup services that do not answer. */
@@ -257,6 +259,7 @@ public final class StopCommand implements Callable<Integer> {
       @Nullable Effector<?> effector = listed.effector();
       round.callListed(
           listed.id(),
+          listed.registrar(),
           listed.path(),
           () -> {
             if (effector == null) {

@@ -34,7 +34,13 @@ final class StopMerge {
   }
 
   /** What a proxy says that a lookup service holds. */
-  record Claim(UUID id, String path, Outcome outcome) {}
+  record Claim(UUID id, String path, Outcome outcome) {
+
+    /** The other one where all is well with this one. */
+    Claim orWorse(Claim other) {
+      return outcome.result().isWell() ? other : this;
+    }
+  }
 
   /**
    * What has become of an effector, as it answered its phoenix. It says for how long it has been
@@ -53,21 +59,26 @@ final class StopMerge {
   /**
    * All outcomes.
    *
-   * @param claims what proxies say
+   * @param claimed what proxies say; where several have one identity and path, one counts that is
+   *     not well: all but one may be strangers'
    * @param local by path, what this host's effectors say that its phoenix's administrator reached
    * @param confirmations what phoenixes say
    */
   List<Outcome> merge(
-      List<Claim> claims, Map<String, List<Outcome>> local, Confirmations confirmations) {
+      List<Claim> claimed, Map<String, List<Outcome>> local, Confirmations confirmations) {
     Map<String, List<Outcome>> here = new LinkedHashMap<>(local);
-    Map<UUID, Outcome> claimed = new LinkedHashMap<>();
-    claims.forEach(each -> claimed.put(each.id(), each.outcome()));
+    Map<UUID, Claim> byIdentity = new LinkedHashMap<>();
+    Map<String, Claim> claims = new LinkedHashMap<>();
+    for (Claim claim : claimed) {
+      byIdentity.merge(claim.id(), claim, Claim::orWorse);
+      claims.merge(claim.id() + " " + claim.path(), claim, Claim::orWorse);
+    }
     List<Outcome> outcomes = new ArrayList<>();
     confirmations
         .stops()
         .values()
-        .forEach(stop -> outcomes.add(known(stop, claimed.get(stop.id()), here)));
-    for (Claim claim : claims) {
+        .forEach(stop -> outcomes.add(known(stop, byIdentity.get(stop.id()), here)));
+    for (Claim claim : claims.values()) {
       if (!confirmations.stops().containsKey(claim.id())) {
         outcomes.add(unknown(claim, here, confirmations));
       }
@@ -93,17 +104,16 @@ final class StopMerge {
   }
 
   /** An effector that a phoenix knows. */
-  private Outcome known(
-      EffectorStop stop, @Nullable Outcome claimed, Map<String, List<Outcome>> here) {
+  private Outcome known(EffectorStop stop, @Nullable Claim claim, Map<String, List<Outcome>> here) {
     Outcome outcome = ofPhoenix(stop);
     Optional<Outcome> other = only(stop.path(), here);
     if (outcome.result().isWell()) {
       return outcome;
     } else if (other.isPresent() && other.get().result().isWell()) {
       return other.get();
-    } else if (stop.state() == null && claimed != null && claimed.result().isWell()) {
+    } else if (stop.state() == null && claim != null && claim.outcome().result().isWell()) {
       return doubtful(
-          claimed,
+          claim.outcome(),
           "its proxy says that it is stopped, and its phoenix does not confirm that: "
               + stop.fault());
     }

@@ -44,6 +44,9 @@ final class StopRound implements AutoCloseable {
 
   private record Asked(String path, CompletableFuture<Outcome> outcome) {}
 
+  /** An effector in a lookup service: anybody may list another proxy under its identity. */
+  private record Listing(UUID id, UUID registrar) {}
+
   private final Result failed;
   private final Duration patience;
   private final Consumer<Outcome> well;
@@ -53,7 +56,7 @@ final class StopRound implements AutoCloseable {
       Executors.newFixedThreadPool(LISTED_THREADS, StopRound::thread);
   private final PhoenixAnswers phoenixes;
 
-  private final Map<UUID, Asked> listed = new LinkedHashMap<>(); // guarded by this
+  private final Map<Listing, Asked> listed = new LinkedHashMap<>(); // guarded by this
   private final Map<String, List<Asked>> local = new LinkedHashMap<>(); // guarded by this
   private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
   private int questions = ASKED_AGAIN; // that are left; by the thread that waits for the outcomes
@@ -101,16 +104,20 @@ final class StopRound implements AutoCloseable {
   }
 
   /**
-   * Calls an effector that a lookup service holds; nothing happens where it was called already.
+   * Calls an effector that a lookup service holds; nothing happens where it was called already by
+   * what this lookup service holds. What another one holds under that identity is called too: one
+   * of both may be a stranger's, and must not take the other's place.
    *
    * @param id its identity
+   * @param registrar the lookup service
    * @param path {@code robot/name}
    * @param call calls it, and says what has become of it
    */
-  synchronized void callListed(UUID id, String path, Callable<Outcome> call) {
-    if (!listed.containsKey(id)) {
+  synchronized void callListed(UUID id, UUID registrar, String path, Callable<Outcome> call) {
+    Listing listing = new Listing(id, registrar);
+    if (!listed.containsKey(listing)) {
       Asked asked = new Asked(path, twice(path, call, listedThreads));
-      listed.put(id, asked);
+      listed.put(listing, asked);
       CompletableFuture<Void> unused =
           asked
               .outcome()
@@ -201,7 +208,7 @@ final class StopRound implements AutoCloseable {
       searching = List.copyOf(searches);
     }
     searching.forEach(CompletableFuture::join); // what they find is counted
-    Map<UUID, Asked> byLookup;
+    Map<Listing, Asked> byLookup;
     Map<String, List<Asked>> here;
     synchronized (this) {
       byLookup = new LinkedHashMap<>(listed);
@@ -209,7 +216,8 @@ final class StopRound implements AutoCloseable {
     }
     List<StopMerge.Claim> claims = new ArrayList<>();
     byLookup.forEach(
-        (id, each) -> claims.add(new StopMerge.Claim(id, each.path(), each.outcome().join())));
+        (listing, each) ->
+            claims.add(new StopMerge.Claim(listing.id(), each.path(), each.outcome().join())));
     Map<String, List<Outcome>> reached = new LinkedHashMap<>();
     here.forEach(
         (path, all) -> reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));

@@ -100,4 +100,21 @@ class StopMergeTest {
       assertThat(Confirmations.of(List.of(reports), List.of()).stops()).containsEntry(ID, good);
     }
   }
+
+  @Test
+  void aPhoenixThatKnowsNothingOfAnEffectorCannotConfirmWhatItsOwnDoesNot() {
+    EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it hangs");
+    StopReport real = new StopReport(List.of("atrv1"), List.of(mute), List.of());
+    StopReport fake =
+        new StopReport(
+            List.of("atrv1"), List.of(answered(false, "ops", Duration.ofSeconds(1))), List.of());
+    for (List<StopReport> order : List.of(List.of(real, fake), List.of(fake, real))) {
+      List<List<StopReport>> reports = order.stream().map(each -> List.of(each)).toList();
+      Confirmations both = Confirmations.of(reports, List.of());
+      assertThat(both.isComplete()).isFalse();
+      assertThat(merge.merge(List.of(), Map.of(), both))
+          .extracting(Outcome::result)
+          .containsExactly(Result.NOT_STOPPED);
+    }
+  }
 }

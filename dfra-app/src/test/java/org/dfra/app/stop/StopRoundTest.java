@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Timeout;
 class StopRoundTest {
 
   private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+  private static final UUID REGISTRAR = UUID.randomUUID();
   private static final Duration RUNNING = Duration.ofSeconds(2);
   private static final StopState STOPPED = stopped(Duration.ofSeconds(1), true, null);
 
@@ -54,9 +55,9 @@ class StopRoundTest {
   @Test
   void oneThatIsSilentHoldsUpNoOther() throws Exception {
     for (int i = 0; i < 50; i++) {
-      round.callListed(UUID.randomUUID(), "mute/drive" + i, this::beSilent);
+      round.callListed(UUID.randomUUID(), REGISTRAR, "mute/drive" + i, this::beSilent);
     }
-    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 
@@ -72,6 +73,7 @@ class StopRoundTest {
         new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), well::add, merge)) {
       brief.callListed(
           UUID.randomUUID(),
+          REGISTRAR,
           "mute/drive",
           () -> {
             calls.incrementAndGet();
@@ -97,6 +99,7 @@ class StopRoundTest {
     for (int i = 0; i < 3; i++) { // it is listed by three lookup services
       round.callListed(
           id,
+          REGISTRAR,
           "atrv1/drive",
           () -> {
             if (calls.incrementAndGet() == 1) {
@@ -110,9 +113,36 @@ class StopRoundTest {
   }
 
   @Test
+  void aStrangersProxyUnderItsIdentityTakesNoEffectorsPlace() {
+    UUID id = UUID.randomUUID();
+    AtomicInteger calls = new AtomicInteger();
+    round.callListed(
+        id,
+        UUID.randomUUID(),
+        "atrv1/drive",
+        () -> {
+          throw new ConnectException("it is a stranger's");
+        });
+    round.callListed(
+        id,
+        UUID.randomUUID(),
+        "atrv1/drive",
+        () -> {
+          calls.incrementAndGet();
+          return stopped("atrv1/drive");
+        });
+    assertThat(round.outcomes())
+        .as("one of both is the effector, and which is not known")
+        .extracting(Outcome::module, Outcome::result)
+        .containsExactly(tuple("atrv1/drive", Result.NOT_STOPPED));
+    assertThat(calls).hasValue(1);
+  }
+
+  @Test
   void whatFailsTwiceIsToldInOneLine() {
     round.callListed(
         UUID.randomUUID(),
+        REGISTRAR,
         "atrv1/drive",
         () -> {
           throw new ConnectException("refused\nnested exception is: so and so");
@@ -127,11 +157,12 @@ class StopRoundTest {
   void itsOwnHostReachesWhatNoLookupServiceDoes() {
     round.callListed(
         UUID.randomUUID(),
+        REGISTRAR,
         "atrv1/drive",
         () -> {
           throw new ConnectException("refused");
         });
-    round.callListed(UUID.randomUUID(), "atrv1/head", () -> stopped("atrv1/head"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/head", () -> stopped("atrv1/head"));
     round.callLocal("atrv1/drive", () -> stopped("atrv1/drive"));
     round.callLocal(
         "atrv1/head",
@@ -173,7 +204,7 @@ class StopRoundTest {
             Thread.currentThread().interrupt();
           }
         });
-    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 
@@ -192,7 +223,7 @@ class StopRoundTest {
 
   @Test
   void ofSeveralOfOneNameEachHasToStop() {
-    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     round.callLocal("atrv1/drive", () -> stopped("atrv1/drive"));
     round.callLocal(
         "atrv1/drive",
@@ -220,6 +251,7 @@ class StopRoundTest {
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     round.callListed(
         id,
+        REGISTRAR,
         "atrv1/drive",
         () -> {
           throw new ConnectException("refused");
@@ -232,8 +264,8 @@ class StopRoundTest {
     UUID real = UUID.randomUUID();
     round.askPhoenix(
         "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
-    round.callListed(real, "atrv1/drive", () -> stopped("atrv1/drive"));
-    round.callListed(UUID.randomUUID(), "atrv1/fake", () -> stopped("atrv1/fake"));
+    round.callListed(real, REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/fake", () -> stopped("atrv1/fake"));
     assertThat(round.outcomes())
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
@@ -248,11 +280,42 @@ class StopRoundTest {
         () -> {
           throw new RemoteException("it does not answer");
         });
-    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(round.outcomes())
         .singleElement()
         .returns(Result.DOUBTFUL, Outcome::result)
         .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.7:1198"));
+  }
+
+  @Test
+  void aProxyIsDoubtedWherePhoenixesAreTooManyToBeAsked() {
+    for (int i = 0; i <= 64; i++) {
+      round.askPhoenix(
+          "192.0.2." + i + ":1198",
+          () -> {
+            throw new ConnectException(
+                "refused", new java.net.ConnectException("Connection refused"));
+          });
+    }
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(round.outcomes())
+        .singleElement()
+        .returns(Result.DOUBTFUL, Outcome::result)
+        .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.64:1198"));
+  }
+
+  @Test
+  void anAddressThatMakesNoSenseIsSilentAndStopsNothingElse() {
+    UUID id = UUID.randomUUID();
+    round.askPhoenix(
+        "robot:70000",
+        () -> {
+          throw new IllegalArgumentException("port out of range");
+        });
+    round.askPhoenix(
+        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.confirmations().silent()).containsExactly("robot:70000");
   }
 
   @Test
@@ -263,7 +326,7 @@ class StopRoundTest {
           throw new ConnectException(
               "refused", new java.net.ConnectException("Connection refused"));
         });
-    round.callListed(UUID.randomUUID(), "atrv1/drive", () -> stopped("atrv1/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
   }
@@ -302,7 +365,7 @@ class StopRoundTest {
   @Test
   void proxiesThatNeverAnswerDelayNoPhoenix() throws Exception {
     for (int i = 0; i < 3000; i++) {
-      round.callListed(UUID.randomUUID(), "fake" + i + "/drive", this::beSilent);
+      round.callListed(UUID.randomUUID(), REGISTRAR, "fake" + i + "/drive", this::beSilent);
     }
     UUID id = UUID.randomUUID();
     round.askPhoenix(

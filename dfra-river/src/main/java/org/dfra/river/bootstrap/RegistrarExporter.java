@@ -75,13 +75,18 @@ public final class RegistrarExporter implements Exporter {
 
   private void watch(RegistrarLeases leases) {
     try {
+      boolean hadFailed = false;
       while (thread == Thread.currentThread()) {
-        int cut = leases.cut();
-        if (cut > 0) {
-          LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
-        }
-        if (listeners != null) {
-          listeners.retain(leases.listeners());
+        try {
+          look(leases);
+          hadFailed = false;
+        } catch (ConcurrentLockException e) {
+          throw e;
+        } catch (RuntimeException e) { // places of listeners would never be given back any more
+          if (!hadFailed) { // not each second
+            LOG.warn("The leases of this lookup service could not be looked at; it goes on.", e);
+          }
+          hadFailed = true;
         }
         LockSupport.parkNanos(this, PERIOD_NANOS);
       }
@@ -89,6 +94,16 @@ public final class RegistrarExporter implements Exporter {
       LOG.debug("The lookup service ends.", e);
     } catch (IllegalAccessException e) {
       throw new AssertionError(e); // they were made accessible
+    }
+  }
+
+  private void look(RegistrarLeases leases) throws IllegalAccessException {
+    int cut = leases.cut();
+    if (cut > 0) {
+      LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
+    }
+    if (listeners != null) {
+      listeners.retain(leases.listeners());
     }
   }
 

@@ -103,6 +103,9 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
     if (listener == null || client == null) {
       throw new InvalidObjectException("a lookup service's listener without proxy or address");
     }
+    if (listener instanceof RegistrarListener) { // itself, say: unwrapping it would have no end
+      throw new InvalidObjectException("a lookup service's listener that holds another one");
+    }
   }
 
   /** Events that wait for the listener; at most one is on its way. */

@@ -81,11 +81,7 @@ public final class RegistrarListeners implements ProxyPreparer {
   }
 
   private static RemoteEventListener unwrapped(RemoteEventListener listener) {
-    RemoteEventListener inner = listener;
-    while (inner instanceof RegistrarListener wrapper) {
-      inner = wrapper.listener();
-    }
-    return inner;
+    return listener instanceof RegistrarListener wrapper ? wrapper.listener() : listener;
   }
 
   private synchronized RegistrarListener register(

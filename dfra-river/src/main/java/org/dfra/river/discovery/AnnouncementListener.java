@@ -86,6 +86,8 @@ final class AnnouncementListener implements AutoCloseable {
       try {
         socket.receive(packet);
         received.accept(packet);
+      } catch (RuntimeException e) { // a stranger's datagram must not end this thread
+        LOG.debug("An announcement could not be handled.", e);
       } catch (IOException e) {
         if (!socket.isClosed()) {
           LOG.warn("Lookup services' announcements are received no more.", e);

@@ -50,6 +50,7 @@ final class StreamScanner implements ObjectStreamConstants {
   private long[] costs = new long[64]; // by handle
   private int handles;
   private boolean begun;
+  private boolean aborting;
   private int depth;
   private long references;
   private long claimed;
@@ -155,8 +156,13 @@ final class StreamScanner implements ObjectStreamConstants {
   }
 
   private AbortedException aborted() throws IOException {
+    if (aborting) { // no writer does that, and it could go on beyond this thread's stack
+      throw new StreamCorruptedException("an exception of the writer in another one");
+    }
+    aborting = true;
     reset();
     long unused = content();
+    aborting = false;
     return new AbortedException();
   }
 

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
  * An effector as a lookup service lists it. All of it is the word of whoever registered it.
  *
  * @param id its service ID
+ * @param registrar service ID of the lookup service
  * @param robot name of its robot, as a printable word
  * @param name its name on its robot, as a printable word
  * @param effector its proxy; null if it cannot be read here
@@ -18,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record ListedEffector(
     UUID id,
+    UUID registrar,
     String robot,
     String name,
     @Nullable Effector<?> effector,

@@ -101,7 +101,7 @@ final class RegistrarReading implements AutoCloseable {
           () -> {
             try {
               question.ask();
-            } catch (RemoteException | RuntimeException e) { // the others are asked all the same
+            } catch (RemoteException | RuntimeException | Error e) { // the others are asked still
               fault("it did not answer (" + e.getClass().getSimpleName() + ")");
             } finally {
               answered();
@@ -191,7 +191,11 @@ final class RegistrarReading implements AutoCloseable {
   /** Whether these were all that match. */
   private boolean publish(ServiceMatches matches) {
     for (ServiceItem item : matches.items) {
-      publish(item);
+      try {
+        publish(item);
+      } catch (RuntimeException e) { // a stranger's item must not hide those after it
+        fault("an effector cannot be read (" + e.getClass().getSimpleName() + ")");
+      }
     }
     return matches.totalMatches <= matches.items.length;
   }
@@ -204,6 +208,7 @@ final class RegistrarReading implements AutoCloseable {
         listener.found(
             new ListedEffector(
                 Sightings.uuid(id),
+                Sightings.uuid(registrar.getServiceID()),
                 own.robot(),
                 own.name(),
                 item.service instanceof Effector<?> effector ? effector : null,

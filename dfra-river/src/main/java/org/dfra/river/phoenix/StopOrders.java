@@ -220,7 +220,11 @@ final class StopOrders implements StopService {
         LOG.debug(
             "An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
       }
+      stopStarted(group, by); // at once: the next one may take long to be started
     }
+  }
+
+  private static void stopStarted(Group group, String by) {
     try {
       Optional<Maker> maker = group.active();
       if (maker.isPresent()) {

@@ -134,9 +134,19 @@ final class StopTargets {
   }
 
   private static EffectorStop stop(StopTarget target, String by) throws RemoteException {
-    boolean wasStopped = target.stopState().latched();
+    boolean wasStopped = wasStopped(target);
     StopState now = target.emergencyStop(by);
     return new EffectorStop(target.moduleId(), target.modulePath(), wasStopped, now, null);
+  }
+
+  /** A failure of this question must not keep the effector from being stopped. */
+  private static boolean wasStopped(StopTarget target) {
+    try {
+      return target.stopState().latched();
+    } catch (RemoteException | RuntimeException e) { // a driver's own
+      LOG.warn("{} is stopped, and does not say whether it was stopped before", target, e);
+      return false;
+    }
   }
 
   private EffectorStop answer(StopTarget target, CompletableFuture<EffectorStop> order, long end) {

@@ -332,6 +332,10 @@ class StreamScannerTest {
     byte[] unknown = Arrays.copyOf(honest, honest.length);
     unknown[4] = 0x6F;
     assertThatThrownBy(() -> read(unknown)).isInstanceOf(StreamCorruptedException.class);
+    byte[] exceptions = new byte[150_000];
+    Arrays.fill(exceptions, (byte) 0x7B); // the tag of what the writer could not write
+    System.arraycopy(honest, 0, exceptions, 0, 4);
+    assertThatThrownBy(() -> read(exceptions)).isInstanceOf(StreamCorruptedException.class);
     byte[] fields = Payload.bytes(new X500Principal("CN=team"));
     byte[] name = "X500Principal".getBytes(java.nio.charset.StandardCharsets.US_ASCII);
     int at = Collections.indexOfSubList(boxed(fields), boxed(name)) + name.length;

@@ -158,6 +158,27 @@ class StopTargetsTest {
   }
 
   @Test
+  void oneThatCannotSayWhetherItWasStoppedIsStopped() {
+    StopTargets targets = targets(Duration.ofSeconds(30));
+    add(
+        targets,
+        id(),
+        new Target("eta/drive") {
+          @Override
+          public synchronized StopState stopState() {
+            throw new IllegalStateException("a driver's fault");
+          }
+        });
+    assertThat(targets.emergencyStop("ops").effectors())
+        .singleElement()
+        .satisfies(
+            each -> {
+              assertThat(each.stop().isConfirmed()).isTrue();
+              assertThat(each.stop().wasStopped()).isFalse();
+            });
+  }
+
+  @Test
   void whatWasBeingMadeDuringAnOrderIsStopped() {
     StopTargets targets = targets(Duration.ofSeconds(30));
     long before = targets.orders();
