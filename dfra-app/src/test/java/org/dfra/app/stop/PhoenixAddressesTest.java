@@ -30,7 +30,7 @@ class PhoenixAddressesTest {
 
   private PhoenixAddresses addresses(String locators, String... named) {
     Looks looks = new Looks();
-    new CommandLine(looks).parseArgs("--state=" + state, "--locator=" + locators);
+    var unused = new CommandLine(looks).parseArgs("--state=" + state, "--locator=" + locators);
     return new PhoenixAddresses(looks.options, named);
   }
 
