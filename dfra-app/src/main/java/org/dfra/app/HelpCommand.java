@@ -34,7 +34,7 @@ final class HelpCommand implements Callable<Integer> {
       if (next == null && line.getParent() == null && ScriptVerbs.names().contains(verb)) {
         spec.commandLine()
             .getOut()
-            .println(Printable.line("The script tells that itself: ./dfra " + verb + " --help"));
+            .println(Printable.line("The script explains it: ./dfra " + verb + " --help"));
         return ExitCode.WELL;
       } else if (next == null) {
         throw new UnmatchedArgumentException(line, List.of(verb));

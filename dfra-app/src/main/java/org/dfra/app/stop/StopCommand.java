@@ -46,14 +46,14 @@ import picocli.CommandLine.Spec;
 /** {@code ./dfra stop}. */
 @Command(
     name = "stop",
-    description = "Emergency: stops all effectors at once. They obey nobody until released.",
+    description = "Emergency: stops all effectors at once. They execute nothing until released.",
     footer = {
       "",
-      "It asks for no lease and is never refused; whoever commands loses the command.",
+      "It asks for no lease and is never refused; the commander loses the command.",
       "The phoenix of each known robot is ordered at once to stop all that it runs.",
       "Each effector that is found is called at once too, and once more where it does",
-      "not answer. The stop outlives every process. Releasing it moves nothing: who",
-      "wants to command asks anew. Ends with 0 only if every effector that is known was",
+      "not answer. The stop outlives every process. Releasing it moves nothing and",
+      "brings no lease back. Ends with 0 only if every effector that is known was",
       "stopped, with 3 if none is known, with 4 if one did not answer or its phoenix",
       "does not confirm what its proxy says.",
       "It is no replacement for the robot's own emergency stop."

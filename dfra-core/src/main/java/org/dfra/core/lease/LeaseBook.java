@@ -1,7 +1,6 @@
 package org.dfra.core.lease;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -42,7 +41,7 @@ public final class LeaseBook implements AutoCloseable {
   private final IntConsumer clientsChanged;
   private final Function<Holder, Executor> expiries;
 
-  private final Map<UUID, Entry> entries = new HashMap<>(); // guarded by itself
+  private final Map<UUID, LeaseEntry> entries = new HashMap<>(); // guarded by itself
   private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
   private boolean closed; // guarded by entries
 
@@ -87,36 +86,6 @@ public final class LeaseBook implements AutoCloseable {
     this.expiries = expiries;
   }
 
-  /** One lease. */
-  private static final class Entry {
-    final LeaseHandle handle;
-    final Holder holder;
-    final @Nullable String host;
-    final Instant since;
-    final long granted; // nanoseconds of the scheduler
-    final Runnable whenOver;
-    final Runnable whenCancelled;
-    long end; // guarded by entries; nothing where there is no expiry
-    @Nullable Task expiry; // guarded by entries; null where nobody need renew
-
-    Entry(
-        UUID id,
-        Holder holder,
-        @Nullable String host,
-        Instant since,
-        long granted,
-        Runnable whenOver,
-        Runnable whenCancelled) {
-      this.handle = LeaseHandle.of(id);
-      this.holder = holder;
-      this.host = host;
-      this.since = since;
-      this.granted = granted;
-      this.whenOver = whenOver;
-      this.whenCancelled = whenCancelled;
-    }
-  }
-
   /** What is granted here. */
   public LeaseTerms terms() {
     return terms;
@@ -153,7 +122,7 @@ public final class LeaseBook implements AutoCloseable {
     UUID id = UUID.randomUUID();
     synchronized (entries) {
       refuseIfClosed();
-      Entry entry = entry(id, holder, host, whenOver, whenCancelled);
+      LeaseEntry entry = entry(id, holder, host, whenOver, whenCancelled);
       extend(id, entry, asked); // first: what cannot be ended in time is not granted
       entries.put(id, entry);
     }
@@ -186,9 +155,10 @@ public final class LeaseBook implements AutoCloseable {
     return id;
   }
 
-  private Entry entry(
+  private LeaseEntry entry(
       UUID id, Holder holder, @Nullable String host, Runnable whenOver, Runnable whenCancelled) {
-    return new Entry(id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
+    return new LeaseEntry(
+        id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
   }
 
   private void refuseIfClosed() throws LeaseRefusedException {
@@ -206,7 +176,7 @@ public final class LeaseBook implements AutoCloseable {
   public Optional<Grant> renew(UUID id, Duration asked) throws LeaseRefusedException {
     terms.check(module, asked);
     synchronized (entries) {
-      Entry entry = entries.get(id);
+      LeaseEntry entry = entries.get(id);
       if (entry == null) {
         return Optional.empty();
       }
@@ -217,7 +187,7 @@ public final class LeaseBook implements AutoCloseable {
 
   /** Ends a lease before its time; false if there is no such lease any more. */
   public boolean cancel(UUID id) {
-    Entry entry;
+    LeaseEntry entry;
     synchronized (entries) {
       entry = entries.remove(id);
       if (entry == null) {
@@ -237,7 +207,7 @@ public final class LeaseBook implements AutoCloseable {
    * @return false if there is no such lease any more
    */
   public boolean revoke(UUID id) {
-    Entry entry;
+    LeaseEntry entry;
     synchronized (entries) {
       entry = entries.remove(id);
       if (entry == null) {
@@ -290,21 +260,11 @@ public final class LeaseBook implements AutoCloseable {
     synchronized (entries) {
       long now = scheduler.nanos();
       return entries.values().stream()
-          .map(each -> status(each, now))
+          .map(each -> each.status(now))
           .sorted(
               Comparator.comparing(LeaseStatus::held).reversed().thenComparing(LeaseStatus::handle))
           .toList();
     }
-  }
-
-  private LeaseStatus status(Entry entry, long now) {
-    return new LeaseStatus(
-        entry.handle,
-        entry.holder,
-        entry.host,
-        entry.since,
-        Duration.ofNanos(now - entry.granted),
-        entry.expiry == null ? null : Duration.ofNanos(Math.max(0, entry.end - now)));
   }
 
   /** Whether there is such a lease. */
@@ -324,7 +284,7 @@ public final class LeaseBook implements AutoCloseable {
   /** Ends every lease, and grants none any more. */
   @Override
   public void close() {
-    Map<UUID, Entry> over;
+    Map<UUID, LeaseEntry> over;
     synchronized (entries) {
       closed = true;
       over = new HashMap<>(entries);
@@ -338,11 +298,11 @@ public final class LeaseBook implements AutoCloseable {
     runAll(steps);
   }
 
-  private static boolean commands(Entry entry) {
+  private static boolean commands(LeaseEntry entry) {
     return entry.holder == Holder.COMMANDER;
   }
 
-  private static void cancelExpiry(Entry entry) {
+  private static void cancelExpiry(LeaseEntry entry) {
     if (entry.expiry != null) {
       entry.expiry.cancel();
     }
@@ -366,7 +326,7 @@ public final class LeaseBook implements AutoCloseable {
   }
 
   /** Where its end cannot be scheduled the lease stays as it was. */
-  private void extend(UUID id, Entry entry, Duration asked) {
+  private void extend(UUID id, LeaseEntry entry, Duration asked) {
     long end = scheduler.nanos() + asked.toNanos();
     Executor ending = expiries.apply(entry.holder);
     Task expiry = scheduler.after(asked.toNanos(), () -> ending.execute(() -> expire(id)));
@@ -376,7 +336,7 @@ public final class LeaseBook implements AutoCloseable {
   }
 
   private void expire(UUID id) {
-    Entry entry;
+    LeaseEntry entry;
     synchronized (entries) {
       entry = entries.get(id);
       if (entry == null || scheduler.nanos() - entry.end < 0) {

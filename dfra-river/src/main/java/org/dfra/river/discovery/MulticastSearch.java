@@ -8,7 +8,6 @@ import java.net.Socket;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -50,22 +49,6 @@ public final class MulticastSearch implements AutoCloseable {
     void lost(ServiceRegistrar registrar);
   }
 
-  private static final class Found {
-    final ServiceRegistrar registrar;
-    final String host;
-    Collection<String> groups; // guarded by the search, as the following
-    long seenAt;
-    long checkedAt;
-
-    Found(ServiceRegistrar registrar, String host, Collection<String> groups, long now) {
-      this.registrar = registrar;
-      this.host = host;
-      this.groups = groups;
-      this.seenAt = now;
-      this.checkedAt = now;
-    }
-  }
-
   private static final Logger LOG = LoggerFactory.getLogger(MulticastSearch.class);
 
   /** Of an unknown host: how long its connection may take, and then its answer. */
@@ -86,11 +69,11 @@ public final class MulticastSearch implements AutoCloseable {
   private final MulticastSettings settings;
   private final Listener listener;
   private final AnnouncedHosts hosts = new AnnouncedHosts(System::nanoTime);
-  private final Map<ServiceID, Found> found = new LinkedHashMap<>(); // guarded by this
+  private final Map<ServiceID, FoundRegistrar> found = new LinkedHashMap<>(); // guarded by this
   private final DiscoveryThreads threads = DiscoveryThreads.begin();
   private final RequestRounds requests;
   private final @Nullable AnnouncementListener announcements;
-  private @Nullable Set<String> groups; // guarded by this; null for all
+  private final WantedGroups groups; // guarded by this
   private int probing; // guarded by this
   private int responding; // guarded by this: those of probing that answer a request
   private @Nullable Future<?> wakeUp; // guarded by this
@@ -113,7 +96,7 @@ public final class MulticastSearch implements AutoCloseable {
       throws IOException {
     this.settings = settings;
     this.listener = listener;
-    this.groups = groups == null ? null : new HashSet<>(List.of(groups));
+    this.groups = new WantedGroups(groups);
     this.requests = new RequestRounds(settings, threads.timer(), this::identities, this::dispatch);
     boolean isDisabled = settings.interfaces().isEmpty();
     this.announcements = isDisabled ? null : new AnnouncementListener(settings, this::received);
@@ -146,7 +129,7 @@ public final class MulticastSearch implements AutoCloseable {
 
   /** The groups, none of them twice; null for all. */
   public synchronized String @Nullable [] getGroups() {
-    return groups == null ? null : groups.toArray(String[]::new);
+    return groups.names();
   }
 
   /**
@@ -156,12 +139,9 @@ public final class MulticastSearch implements AutoCloseable {
    * @throws IOException if multicast cannot be used
    */
   public synchronized void addGroups(String[] more) throws IOException {
-    Set<String> all = someGroups();
-    Set<String> added = new HashSet<>(List.of(more));
-    added.removeAll(all);
-    all.addAll(added);
+    List<String> added = groups.add(more);
     if (!added.isEmpty()) {
-      requests.begin(List.copyOf(added));
+      requests.begin(added);
     }
   }
 
@@ -172,21 +152,9 @@ public final class MulticastSearch implements AutoCloseable {
    * @throws IOException if multicast cannot be used
    */
   public synchronized void setGroups(String @Nullable [] wanted) throws IOException {
-    if (wanted == null) {
-      boolean isNew = groups != null;
-      groups = null;
-      if (isNew) {
-        requests.begin(List.of());
-      }
-      return;
-    }
-    Set<String> added = new HashSet<>(List.of(wanted));
-    if (groups != null) {
-      added.removeAll(groups);
-    }
-    groups = new HashSet<>(List.of(wanted));
-    if (!added.isEmpty()) {
-      requests.begin(List.copyOf(added));
+    Optional<List<String>> added = groups.set(wanted);
+    if (added.isPresent()) {
+      requests.begin(added.get());
     }
     loseUnwanted();
   }
@@ -198,27 +166,13 @@ public final class MulticastSearch implements AutoCloseable {
    * @throws UnsupportedOperationException if it searches for all
    */
   public synchronized void removeGroups(String[] unwanted) {
-    someGroups().removeAll(List.of(unwanted));
+    groups.remove(unwanted);
     loseUnwanted();
   }
 
-  private Set<String> someGroups() {
-    Set<String> some = groups;
-    if (some == null) {
-      throw new UnsupportedOperationException(
-          "all groups are searched for; set the groups that are wanted instead");
-    }
-    return some;
-  }
-
-  private boolean isWanted(Collection<String> of) {
-    Set<String> wanted = groups;
-    return wanted == null || of.stream().anyMatch(wanted::contains);
-  }
-
   private void loseUnwanted() {
-    for (Found each : List.copyOf(found.values())) {
-      if (!isWanted(each.groups)) {
+    for (FoundRegistrar each : List.copyOf(found.values())) {
+      if (!groups.includeOneOf(each.groups)) {
         lose(each);
       }
     }
@@ -240,14 +194,14 @@ public final class MulticastSearch implements AutoCloseable {
       if (closed) {
         return;
       }
-      Found known = found.get(id);
+      FoundRegistrar known = found.get(id);
       if (known != null && known.host.equals(host)) {
         known.seenAt = System.nanoTime();
         if (!Set.copyOf(members).equals(Set.copyOf(known.groups))) {
           check(known);
         }
       }
-      if (known == null && !isWanted(members)) {
+      if (known == null && !groups.includeOneOf(members)) {
         return;
       }
     }
@@ -329,7 +283,7 @@ public final class MulticastSearch implements AutoCloseable {
   /** Takes what answered, if it is wanted; false if not. */
   private boolean hold(Answer answer, String host) throws RemoteException {
     synchronized (this) {
-      if (!isWanted(answer.groups())) {
+      if (!groups.includeOneOf(answer.groups())) {
         return false;
       }
     }
@@ -340,12 +294,12 @@ public final class MulticastSearch implements AutoCloseable {
     ServiceID id = registrar.getServiceID();
     synchronized (this) {
       if (closed
-          || !isWanted(answer.groups())
+          || !groups.includeOneOf(answer.groups())
           || (found.size() >= AnnouncedHosts.REMEMBERED && !found.containsKey(id))) {
         return false;
       }
       hosts.found(id);
-      Found held = new Found(registrar, host, answer.groups(), System.nanoTime());
+      FoundRegistrar held = new FoundRegistrar(registrar, host, answer.groups(), System.nanoTime());
       if (found.putIfAbsent(id, held) == null) {
         threads.timer().execute(() -> listener.found(registrar));
       }
@@ -372,7 +326,7 @@ public final class MulticastSearch implements AutoCloseable {
     dispatch();
   }
 
-  private void lose(Found lost) {
+  private void lose(FoundRegistrar lost) {
     ServiceID id = lost.registrar.getServiceID();
     if (found.remove(id, lost)) {
       hosts.lost(id);
@@ -388,7 +342,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /** Has a lookup service asked for its groups, unless it was just now. */
-  private synchronized void check(Found which) {
+  private synchronized void check(FoundRegistrar which) {
     long now = System.nanoTime();
     if (!closed && now - which.checkedAt > BETWEEN_CHECKS.toNanos()) {
       which.checkedAt = now;
@@ -396,13 +350,13 @@ public final class MulticastSearch implements AutoCloseable {
     }
   }
 
-  private void askForGroups(Found which) {
+  private void askForGroups(FoundRegistrar which) {
     try {
       List<String> actual = List.of(which.registrar.getGroups());
       synchronized (this) {
         which.groups = actual;
         which.seenAt = System.nanoTime();
-        if (!closed && !isWanted(actual)) {
+        if (!closed && !groups.includeOneOf(actual)) {
           lose(which);
         }
       }

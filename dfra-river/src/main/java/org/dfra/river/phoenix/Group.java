@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
 import org.dfra.river.phoenix.GroupStatus.State;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -88,6 +89,15 @@ final class Group {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new ActivationException("interrupted while group " + name + " started", e);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private <T> T locked(Supplier<T> question) {
+    lock.lock();
+    try {
+      return question.get();
     } finally {
       lock.unlock();
     }
@@ -306,32 +316,17 @@ final class Group {
 
   /** Whether this incarnation is the one that works now. */
   boolean isActive(long itsIncarnation) {
-    lock.lock();
-    try {
-      return current.isActive(itsIncarnation);
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> current.isActive(itsIncarnation));
   }
 
   /** Whether a former daemon started the process that works now. */
   boolean isTakenBack() {
-    lock.lock();
-    try {
-      return current.adopted() && current.state() == State.ACTIVE;
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> current.adopted() && current.state() == State.ACTIVE);
   }
 
   /** The incarnation started last. */
   long incarnation() {
-    lock.lock();
-    try {
-      return current.number();
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> current.number());
   }
 
   /** An object of the group was unregistered, which the process of an incarnation may have. */
@@ -348,12 +343,7 @@ final class Group {
 
   /** Its process has an unregistered object no longer; false where it had none of that name. */
   boolean gaveUp(UID unregistered) {
-    lock.lock();
-    try {
-      return current.gaveUp(unregistered);
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> current.gaveUp(unregistered));
   }
 
   /** The group was unregistered: its process may live on, but is nobody's business here. */
@@ -368,12 +358,7 @@ final class Group {
 
   /** The group's process, where there is one. */
   Optional<ProcessIdentity> process() {
-    lock.lock();
-    try {
-      return Optional.ofNullable(current.process());
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> Optional.ofNullable(current.process()));
   }
 
   /** Ends a process that has still not reported. */
@@ -391,12 +376,7 @@ final class Group {
 
   /** What an administrator sees. */
   GroupStatus status(int objects) {
-    lock.lock();
-    try {
-      return supervision.status(current, objects);
-    } finally {
-      lock.unlock();
-    }
+    return locked(() -> supervision.status(current, objects));
   }
 
   /** Makes waiters look again, for the end of the daemon. */

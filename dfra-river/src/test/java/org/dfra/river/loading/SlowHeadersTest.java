@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.core.time.StallProbe;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,12 +33,16 @@ class SlowHeadersTest {
   private static final String HOST = InetAddress.getLoopbackAddress().getHostAddress();
   private static final byte[] JAR = "the jar".getBytes(StandardCharsets.UTF_8);
 
+  /** The requirement for an honest download while others send slowly. */
+  private static final Duration DOWNLOADED = Duration.ofSeconds(1);
+
   /** More than the buffers of a connection hold. */
   private static final int BIG = 16 << 20;
 
   @TempDir private Path folder;
   private ClassServer server;
   private final List<Socket> sockets = new ArrayList<>();
+  private final StallProbe probe = StallProbe.start();
 
   @BeforeEach
   void start() throws IOException {
@@ -49,6 +54,7 @@ class SlowHeadersTest {
 
   @AfterEach
   void close() throws IOException {
+    probe.close();
     for (Socket socket : sockets) {
       socket.close();
     }
@@ -90,6 +96,21 @@ class SlowHeadersTest {
     assertThat(download()).isEqualTo(JAR);
 
     assertThat(isEnded(sockets.get(0))).isTrue();
+  }
+
+  @Test
+  void honestDownloadsTakeASecondAtMostWhereAllPlacesAreTaken() throws Exception {
+    assumeThat(hasAddress("127.0.0.66")).as("other addresses of 127/8 can be used").isTrue();
+    assertThat(download()).isEqualTo(JAR); // the client's classes are loaded now
+    int addresses = HttpListener.CONNECTIONS / HttpListener.PER_ADDRESS;
+    for (int i = 0; i < HttpListener.CONNECTIONS; i++) {
+      begin("127.0.3." + (1 + i % addresses));
+    }
+    for (int i = 0; i < 3; i++) {
+      StallProbe.Stopwatch began = probe.stopwatch();
+      assertThat(download()).isEqualTo(JAR);
+      began.stop().requireWithin("an honest download beside slow requests", DOWNLOADED);
+    }
   }
 
   @Test
