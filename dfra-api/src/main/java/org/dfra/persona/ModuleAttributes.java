@@ -35,6 +35,11 @@ public record ModuleAttributes(
   public ModuleAttributes {
     Checks.text("robot", robot);
     Checks.text("name", name);
+    Objects.requireNonNull(driver, "driver"); // entries of others may leave out any of these
+    Objects.requireNonNull(host, "host");
+    Objects.requireNonNull(author, "author");
+    Objects.requireNonNull(version, "version");
+    Objects.requireNonNull(state, "state");
     created = Objects.requireNonNull(Checks.millis(created));
     activated = Checks.millis(activated);
     if (clients < 0) {

@@ -166,6 +166,20 @@ class EntriesTest {
 
   /** A registrar would not see which robot it names. */
   @Test
+  void aModuleWithoutHostOrStateIsLeftOut() {
+    for (String field : List.of("host", "state")) {
+      ModuleEntry entry = (ModuleEntry) Entries.of(List.of(MODULE))[0];
+      assertThat(Entries.records(new Entry[] {entry})).containsExactly(MODULE);
+      if (field.equals("host")) {
+        entry.host = null;
+      } else {
+        entry.state = null;
+      }
+      assertThat(Entries.records(new Entry[] {entry})).as("without %s", field).isEmpty();
+    }
+  }
+
+  @Test
   void aRecordThatHasAnEntryIsNotReadFromAnother() {
     RecordEntry disguised = new RecordEntry();
     disguised.type = PersonaAttributes.class.getName();
