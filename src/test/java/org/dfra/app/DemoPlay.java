@@ -40,6 +40,12 @@ abstract class DemoPlay {
               + "\\s*<p>\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d\\sUTC</p>"
               + "\\s*<table>\\s*<thead><tr><th>Figure</th>");
 
+  private static final String FIRST = "first";
+
+  private static final Pattern MISSED_BOUND =
+      Pattern.compile(
+          "\\n {2}FAILED: this must be true on every computer[^\\n]*(?:\\n {2}\\S[^\\n]*)*");
+
   /** How much of a story is shown before the place at which a sentence is missing. */
   private static final int CONTEXT = 300;
 
@@ -66,7 +72,7 @@ abstract class DemoPlay {
   final String play(String name, List<String> options, String... story) throws Exception {
     try (StallProbe probe = StallProbe.start()) {
       StallProbe.Stopwatch first = probe.stopwatch();
-      String out = run("first", name, options, story);
+      String out = run(FIRST, name, options, story);
       Timing run = first.stop();
       List<String> excuses = IS_STRICT ? DemoTimes.of(out).excuses(run) : List.of();
       if (!excuses.isEmpty()) {
@@ -86,6 +92,15 @@ abstract class DemoPlay {
       }
       return inOneLine(out);
     }
+  }
+
+  /**
+   * What was said, in full without the sentence that names figures which must be met everywhere.
+   * Where these are times, {@link DemoTimes} judges them beside what the run was like, and the
+   * second run has to meet them.
+   */
+  private static String withoutMissedBounds(String run, String out) {
+    return IS_STRICT && run.equals(FIRST) ? MISSED_BOUND.matcher(out).replaceAll("") : out;
   }
 
   private static String inOneLine(String out) {
@@ -113,7 +128,7 @@ abstract class DemoPlay {
       arguments.addAll(options);
       outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
 
-      assertThat(outcome.out() + outcome.err()).doesNotContain("FAILED");
+      assertThat(withoutMissedBounds(run, outcome.out()) + outcome.err()).doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
       assertStory(inOneLine(outcome.out()), story);
       assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))

@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Arrays;
 import java.util.UUID;
-import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.core.lease.Lease;
@@ -34,7 +33,6 @@ final class FalseDrives implements AutoCloseable {
 
   private final ServiceRegistrar registrar;
   private final ServiceItem real;
-  private final AtomicInteger stops = new AtomicInteger();
   private final Exporter exporter =
       new BasicJeriExporter(Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(), false, true);
   private final RemoteDriveEffector server; // JERI holds it weakly
@@ -54,7 +52,6 @@ final class FalseDrives implements AutoCloseable {
         (self, method, args) ->
             switch (method.getName()) {
               case "emergencyStop", "stopState" -> {
-                stops.incrementAndGet();
                 Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
                 yield new StopState(true, "a fake", now, true, null);
               }
@@ -74,7 +71,7 @@ final class FalseDrives implements AutoCloseable {
     return new Identification(robot, name, "a drive", "nobody", "1.0");
   }
 
-  /** Puts a fake in the place of the real drive. */
+  /** Puts a fake in the place of the real drive, until that registers itself anew. */
   void replace() throws RemoteException {
     ServiceID id = real.serviceID;
     UUID uuid = new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits());
@@ -113,11 +110,6 @@ final class FalseDrives implements AutoCloseable {
     entry.activated = real.activated;
     entry.clients = real.clients;
     return entry;
-  }
-
-  /** How often one of them was called to stop. */
-  int stops() {
-    return stops.get();
   }
 
   @Override

@@ -44,10 +44,12 @@ class FalseStopIT {
 
   @AfterEach
   void takeDown() throws Exception {
-    try (StallProbe ended = probe;
-        WheeledRobot closed = robot;
-        FalseDrives gone = fakes) {
-      assertThat(gone == null || gone.stops() > 0).as("the fake was called").isTrue();
+    try (FalseDrives gone = fakes) {
+      if (robot != null) {
+        robot.close();
+      }
+    } finally {
+      probe.close();
     }
   }
 

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
+import org.dfra.core.host.PrivateFiles;
 
 /**
  * State in files. Documents are written beside their name, brought to the disk and renamed.
@@ -35,7 +36,7 @@ final class FolderState implements StateStore {
 
   @Override
   public synchronized void write(String name, byte[] content) throws IOException {
-    Files.createDirectories(folder);
+    PrivateFiles.makeFolder(folder);
     Path whole = folder.resolve(name);
     Path beside = folder.resolve(name + ".new");
     try (FileChannel channel =
@@ -60,7 +61,7 @@ final class FolderState implements StateStore {
 
   @Override
   public Counters counters(String name, int count) throws IOException {
-    Files.createDirectories(folder);
+    PrivateFiles.makeFolder(folder);
     try (FileChannel channel =
         FileChannel.open(
             folder.resolve(name),

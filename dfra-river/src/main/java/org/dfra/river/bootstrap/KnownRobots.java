@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.PrivateFiles;
 
 /**
  * The robots of a host as they were last brought up, each as XML in which every variable is
@@ -31,7 +32,7 @@ public final class KnownRobots {
 
   /** Notes a robot, in place of what was known of one of that name. */
   public void remember(RobotDescription robot) throws IOException {
-    Files.createDirectories(folder);
+    PrivateFiles.makeFolder(folder);
     Path draft = Files.createTempFile(folder, robot.name(), ".draft");
     try {
       RobotXml.write(robot, draft);

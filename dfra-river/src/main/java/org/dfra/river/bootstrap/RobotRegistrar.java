@@ -1,7 +1,6 @@
 package org.dfra.river.bootstrap;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.activation.ActivationException;
 import java.util.Arrays;
@@ -12,6 +11,7 @@ import net.jini.core.entry.Entry;
 import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.bootstrap.RobotBootstrap.Service;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.PersonaEntry;
@@ -49,7 +49,7 @@ final class RobotRegistrar {
    */
   String[] arguments(RegistrarDescription description) throws IOException {
     Path folder = state.resolve("registrars");
-    Files.createDirectories(folder);
+    PrivateFiles.makeFolder(folder);
     return RegistrarArguments.of(
         host,
         description.port(),

@@ -14,6 +14,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
@@ -45,6 +46,7 @@ final class HttpListener implements AutoCloseable {
   /** One accepts; a replaced connection's thread may take a moment to end. */
   private static final int THREADS = CONNECTIONS + 16;
 
+  private static final Duration END = Duration.ofSeconds(5);
   private static final Duration REQUEST = Duration.ofSeconds(2);
   private static final Duration ANSWER = Duration.ofSeconds(60);
 
@@ -52,6 +54,7 @@ final class HttpListener implements AutoCloseable {
 
   private final ServerSocket listening;
   private final HttpAnswers answers;
+  private final CountDownLatch accepting = new CountDownLatch(1);
   private final ThreadPoolExecutor threads;
   private final ScheduledThreadPoolExecutor deadlines;
   private final Set<HttpConnection> open = new LinkedHashSet<>(); // guarded by itself, oldest first
@@ -110,9 +113,29 @@ final class HttpListener implements AutoCloseable {
     ending.forEach(HttpConnection::abort);
     threads.shutdownNow();
     deadlines.shutdownNow();
+    awaitEnd();
+  }
+
+  /** Until the accepting thread has left the port, nobody else can have it. */
+  private void awaitEnd() {
+    try {
+      if (!accepting.await(END.toMillis(), TimeUnit.MILLISECONDS)) {
+        LOG.warn("The class server's port {} is not free yet after {}.", port(), END);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   private void accept() {
+    try {
+      acceptAll();
+    } finally {
+      accepting.countDown();
+    }
+  }
+
+  private void acceptAll() {
     while (!listening.isClosed()) {
       try {
         serve(listening.accept());

@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,7 +37,7 @@ final class KeptJars {
   void keep(byte[] bytes, String digest) throws IOException {
     Path file = file(digest);
     try {
-      Files.createDirectories(folder);
+      PrivateFiles.makeFolder(folder);
       if (!Files.exists(file)) {
         Path partial = Files.createTempFile(folder, "new", ".part");
         Files.write(partial, bytes);

@@ -190,7 +190,7 @@ public class DeviceEmulator implements AutoCloseable {
       throws IOException {
     if (old != null) {
       Instant now = clock.instant();
-      if (old.read(bytes -> cable.send(bytes, now)) && old.isActive()) {
+      if (old.readAll(bytes -> cable.send(bytes, now)) && old.isActive()) {
         caller.close();
         return old;
       }
@@ -272,6 +272,22 @@ public class DeviceEmulator implements AutoCloseable {
       } catch (IOException e) {
         return false;
       }
+    }
+
+    /** Takes all that has come: what a client sent before it went hides that it has gone. */
+    boolean readAll(Consumer<byte[]> sink) {
+      boolean[] isMore = new boolean[1];
+      boolean isThere;
+      do {
+        isMore[0] = false;
+        isThere =
+            read(
+                bytes -> {
+                  isMore[0] = true;
+                  sink.accept(bytes);
+                });
+      } while (isThere && isMore[0]);
+      return isThere;
     }
 
     /** Whether it has sent something in the last seconds. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dfra.core.host.FreePorts;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
@@ -30,6 +31,7 @@ public final class Host {
    */
   public Host(Stage stage, Path folder) throws IOException {
     this.stage = stage;
+    PrivateFiles.makeFolder(folder); // before anything else that is kept in it makes it
     this.phoenix = new PhoenixProcess(Stage.ADDRESS, FreePorts.next(), -1, folder);
   }
 
