@@ -29,7 +29,7 @@ import org.dfra.testing.ServedModule;
  * that ends by an exception. Its input has one command a line:
  *
  * <pre>
- *   discover LOCATOR   looks for the lookup service there, again and again, until told to stop
+ *   discover LOCATOR   looks for the lookup service there, repeatedly, until it is stopped
  *   stop               looks for it once more, prints "found ID" and then does nothing
  * </pre>
  */

@@ -178,7 +178,7 @@ final class StopRound implements AutoCloseable {
           }
           try {
             answer.complete(call.call());
-          } catch (Exception | Error e) { // a proxy may throw anything; it is told as the reason
+          } catch (Exception | Error e) { // a proxy may throw anything; it becomes the reason
             answer.completeExceptionally(e);
           }
         });

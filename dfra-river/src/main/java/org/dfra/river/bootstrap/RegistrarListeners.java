@@ -19,8 +19,8 @@ import org.dfra.river.callback.ClientAddress;
  *
  * <p>Reggie calls each listener as its proxy wants, from 50 threads or fewer that also answer
  * discovery; so a few listeners that never answer would end both. Here each listener is replaced by
- * a {@link RegistrarListener}, which only queues what it is told and calls the listener in the lane
- * of its process, under a deadline of this computer's.
+ * a {@link RegistrarListener}, which only queues the events and calls the listener in the lane of
+ * its process, under a deadline of this computer's.
  *
  * <p>How many listeners a client may have is checked before reggie sees one, by {@link
  * org.dfra.river.registrar.RegistrarILFactory}. Here its processes are counted, see {@link
