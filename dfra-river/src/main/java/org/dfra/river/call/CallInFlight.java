@@ -46,12 +46,17 @@ final class CallInFlight {
     }
   }
 
-  /** Tells the current thread's call, if it has one, by which request it leaves. */
-  static void leaving(OutboundRequest request) {
+  /**
+   * Notes by which request the current thread's call leaves, if it has one.
+   *
+   * @return the request
+   */
+  static OutboundRequest leaving(OutboundRequest request) {
     @Nullable CallInFlight call = CURRENT.get();
     if (call != null) {
       call.setRequest(request);
     }
+    return request;
   }
 
   /**

@@ -94,8 +94,7 @@ final class CallbackHandler extends BasicInvocationHandler {
   @SuppressWarnings("rawtypes") // as River declares it
   protected ObjectOutputStream createMarshalOutputStream(
       Object proxy, Method method, OutboundRequest request, Collection context) throws IOException {
-    CallInFlight.leaving(request);
-    return super.createMarshalOutputStream(proxy, method, request, context);
+    return super.createMarshalOutputStream(proxy, method, CallInFlight.leaving(request), context);
   }
 
   /** Filters the result before it is built. */
@@ -104,10 +103,10 @@ final class CallbackHandler extends BasicInvocationHandler {
   protected ObjectInputStream createMarshalInputStream(
       Object proxy, Method method, OutboundRequest request, boolean integrity, Collection context)
       throws IOException {
-    return SerialFilters.guardResult(
-        super.createMarshalInputStream(
-            proxy, method, SerialFilters.bounded(request), integrity, context),
-        method);
+    return SerialFilters.openResult(
+        request,
+        method,
+        bounded -> super.createMarshalInputStream(proxy, method, bounded, integrity, context));
   }
 
   private void writeObject(ObjectOutputStream out) throws IOException {

@@ -1,5 +1,6 @@
 package org.dfra.river.filter;
 
+import java.io.IOException;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.lang.reflect.Method;
@@ -28,6 +29,18 @@ public final class SerialFilters {
 
     /** Reads. */
     T read() throws E;
+  }
+
+  /** Makes the object stream that reads a request's answer, as JERI's invocation handlers do. */
+  @FunctionalInterface
+  public interface Opening {
+
+    /**
+     * Makes it.
+     *
+     * @param request whose answer is to be read
+     */
+    ObjectInputStream open(OutboundRequest request) throws IOException;
   }
 
   /** What the current thread's streams read from; empty for the network. */
@@ -103,12 +116,17 @@ public final class SerialFilters {
   }
 
   /**
-   * Filters the result of one call, on the stream it will be read from.
+   * Opens the object stream that the result of a call is read from: its bytes are checked before
+   * anything of them is built, and its filter is that of the method.
    *
-   * @param in a stream that nothing was read from
+   * @param request the call
    * @param method the method called; the package of its result is allowed too
+   * @param opening makes the stream that reads the answer of the request that it is given
+   * @throws IOException what {@code opening} throws
    */
-  public static ObjectInputStream guardResult(ObjectInputStream in, Method method) {
+  public static ObjectInputStream openResult(
+      OutboundRequest request, Method method, Opening opening) throws IOException {
+    ObjectInputStream in = opening.open(new BoundedResponse(request, Configured.STREAM));
     in.setObjectInputFilter(
         new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
     return in;
@@ -181,13 +199,5 @@ public final class SerialFilters {
         SCOPE.set(outer);
       }
     }
-  }
-
-  /**
-   * Reads a request's answer only as far as it is within the limits: its object stream is checked
-   * before anything of it is built.
-   */
-  public static OutboundRequest bounded(OutboundRequest request) {
-    return new BoundedResponse(request, Configured.STREAM);
   }
 }
