@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
       "",
       "Benchmarks:",
       "  attack        a robot under attack by a stranger (ten minutes; less by --seconds)",
+      "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, the latency of events alone",
       "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
@@ -41,6 +42,7 @@ public final class BenchCommand implements Callable<Integer> {
   /** Knows them all; runs none. */
   public BenchCommand() {
     benches.put("attack", () -> new AttackBench(seconds));
+    benches.put("calls", CallBench::new);
     benches.put("distributed", DistributedBench::new);
     benches.put("events", EventBench::new);
     benches.put("fuzzy", FuzzyBench::new);

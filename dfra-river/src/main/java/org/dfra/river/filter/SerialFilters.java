@@ -1,6 +1,7 @@
 package org.dfra.river.filter;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.lang.reflect.Method;
@@ -130,6 +131,16 @@ public final class SerialFilters {
     in.setObjectInputFilter(
         new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
     return in;
+  }
+
+  /**
+   * The same bytes, checked as those of a call's answer are: each element of the object stream as a
+   * whole, before it is passed on.
+   *
+   * @param in an object stream from its first byte
+   */
+  public static InputStream checked(InputStream in) {
+    return ScannedStream.of(in, Configured.STREAM);
   }
 
   /**

@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InvalidObjectException;
 import java.io.NotSerializableException;
 import java.io.ObjectInputStream;
@@ -190,6 +191,18 @@ class StreamScannerTest {
     public Object invoke(Object proxy, java.lang.reflect.Method method, Object[] arguments) {
       throw new UnsupportedOperationException(method.getName());
     }
+  }
+
+  @Test
+  void checkedBytesAreTheSameOrRefused() throws Exception {
+    byte[] honest = Payload.bytes(List.of("a", Instant.EPOCH));
+    assertThat(SerialFilters.checked(new ByteArrayInputStream(honest)).readAllBytes())
+        .isEqualTo(honest);
+    InputStream deep =
+        SerialFilters.checked(new ByteArrayInputStream(Payload.bytes(Payload.nested(100))));
+    assertThatThrownBy(deep::readAllBytes)
+        .isInstanceOf(InvalidObjectException.class)
+        .hasMessageContaining("objects nested > 24 allowed");
   }
 
   @Test
