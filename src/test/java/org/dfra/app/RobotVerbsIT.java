@@ -2,27 +2,24 @@ package org.dfra.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
+import static org.dfra.app.CommandLineRobot.PATIENCE;
+import static org.dfra.app.CommandLineRobot.TEAM;
+import static org.dfra.app.CommandLineRobot.module;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
-import org.dfra.example.thermometer.ThermometerProxy;
-import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
@@ -41,11 +38,6 @@ import org.junit.jupiter.api.io.TempDir;
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class RobotVerbsIT {
 
-  private static final Duration PATIENCE = Duration.ofSeconds(240);
-
-  /** No discovery group: what is found is found by locators. */
-  private static final String TEAM = "--team=";
-
   /** Why a module is not ready whose device does not answer. */
   private static final Pattern NO_LINK =
       Pattern.compile(
@@ -55,23 +47,36 @@ class RobotVerbsIT {
   @TempDir static Path folder;
 
   /** Every robot of these tests, whose processes end with them. */
-  private static final List<Robot> ROBOTS = new ArrayList<>();
+  private static final List<CommandLineRobot> ROBOTS = new ArrayList<>();
 
   /** A robot t1 that is up and unchanged; null where there is none. */
-  private static @Nullable Robot shared;
+  private static @Nullable CommandLineRobot shared;
 
   @AfterAll
   static void endWhatIsLeft() {
-    for (Robot each : ROBOTS) { // all of them, before one is waited for
+    for (CommandLineRobot each : ROBOTS) { // all of them, before one is waited for
       each.processes().living().forEach(ProcessHandle::destroyForcibly);
     }
     ROBOTS.forEach(each -> each.processes().close());
   }
 
-  private static Robot shared() throws Exception {
-    Robot robot = shared;
+  private static CommandLineRobot create() throws IOException {
+    return kept(CommandLineRobot.create(folder));
+  }
+
+  private static CommandLineRobot create(int registrar, String described) throws IOException {
+    return kept(CommandLineRobot.create(folder, registrar, described));
+  }
+
+  private static CommandLineRobot kept(CommandLineRobot robot) {
+    ROBOTS.add(robot);
+    return robot;
+  }
+
+  private static CommandLineRobot shared() throws Exception {
+    CommandLineRobot robot = shared;
     if (robot == null) {
-      robot = Robot.create();
+      robot = create();
       String unused = well(robot.up());
       shared = robot;
     }
@@ -81,7 +86,7 @@ class RobotVerbsIT {
   @Test
   @Order(1) // it leaves its robot to the others
   void bringsARobotUpOnceAndTakesItDown() throws Exception {
-    Robot robot = Robot.create();
+    CommandLineRobot robot = create();
     Outcome up = robot.up();
     assertThat(up.exit()).as(up.out() + up.err()).isZero();
     assertThat(up.err()).isEmpty();
@@ -141,7 +146,7 @@ class RobotVerbsIT {
   @Test
   @Order(3) // it changes the robot, and takes it down
   void modulesAreAskedAndChangedByName() throws Exception {
-    Robot robot = shared();
+    CommandLineRobot robot = shared();
     shared = null;
     CompletableFuture<String> listedInVain =
         beside(() -> well(robot.here("module", "list", TEAM, "--kind=GPSSensor", "--wait=8")));
@@ -198,7 +203,7 @@ class RobotVerbsIT {
     robot.awaitEnd();
   }
 
-  private static void stopAndKill(Robot robot) throws Exception {
+  private static void stopAndKill(CommandLineRobot robot) throws Exception {
     String unused = well(robot.here("module", "stop", "warmth", TEAM));
     assertThat(well(robot.here("module", "list", TEAM, "--wait=8")))
         .startsWith("No module is registered.");
@@ -216,7 +221,7 @@ class RobotVerbsIT {
         .startsWith("17");
   }
 
-  private static void change(Robot robot) throws Exception {
+  private static void change(CommandLineRobot robot) throws Exception {
     Path xml = robot.xml();
     Files.writeString(
         xml,
@@ -247,9 +252,9 @@ class RobotVerbsIT {
   @Test
   @Order(2)
   void twoRobotsOfOneNameAreToldApartByTheirHosts() throws Exception {
-    Robot robot = shared();
-    Robot namesake =
-        Robot.create(
+    CommandLineRobot robot = shared();
+    CommandLineRobot namesake =
+        create(
             robot.registrar(),
             """
             <robot xmlns="urn:dfra:robot:1" name="t1" host="127.0.0.2">
@@ -300,7 +305,7 @@ class RobotVerbsIT {
 
   @Test
   void theTimeToWaitIsReadFromTheEnvironment() throws Exception {
-    Robot robot = Robot.create();
+    CommandLineRobot robot = create();
     String locator = "--locator=127.0.0.1:" + robot.registrar();
     robot.processes().set("DFRA_WAIT", "soon");
     fails(
@@ -332,96 +337,5 @@ class RobotVerbsIT {
 
   private static CompletableFuture<Void> beside(Runnable command) {
     return CompletableFuture.runAsync(command);
-  }
-
-  /**
-   * A robot with a phoenix of its own in a folder of its own.
-   *
-   * @param registrar port of its registrar, or of the one that it joins
-   * @param port of its phoenix
-   */
-  private record Robot(MarkedProcesses processes, Path folder, Path xml, int registrar, int port) {
-
-    static Robot create() throws IOException {
-      int registrar = FreePorts.next();
-      return create(
-          registrar,
-          """
-          <robot xmlns="urn:dfra:robot:1" name="t1" host="127.0.0.1">
-            <group name="one">
-              <registrar port="%d"/>
-              %s
-            </group>
-          </robot>
-          """
-              .formatted(registrar, module("warmth", 17)));
-    }
-
-    static Robot create(int registrar, String described) throws IOException {
-      Path own = Files.createTempDirectory(RobotVerbsIT.folder, "robot");
-      Path xml = Files.writeString(own.resolve("t1.xml"), described);
-      Robot robot = new Robot(new MarkedProcesses(own), own, xml, registrar, FreePorts.next());
-      ROBOTS.add(robot);
-      return robot;
-    }
-
-    Outcome up() throws Exception {
-      return process("up", xml.toString(), "--port=" + port, "--registry-port=-1");
-    }
-
-    /** Runs a command as a user does. */
-    Outcome process(String... arguments) throws Exception {
-      return plain(processes.dfra(PATIENCE, with(state(), arguments)));
-    }
-
-    /** As a process in a terminal of which somebody wants no colours. */
-    Outcome inTerminalWithoutColours(String... arguments) throws Exception {
-      MarkedProcesses terminal = new MarkedProcesses(folder, "-Dpicocli.ansi=true");
-      terminal.set("NO_COLOR", "1");
-      return plain(terminal.dfra(PATIENCE, with(state(), arguments)));
-    }
-
-    /** Nothing here is a terminal with colours. */
-    private static Outcome plain(Outcome outcome) {
-      assertThat(outcome.out() + outcome.err())
-          .as("control characters")
-          .doesNotContainPattern("[\\p{Cntrl}&&[^\n]]");
-      return outcome;
-    }
-
-    /** The same in the test's own process, for what starts none. */
-    Outcome here(String... arguments) {
-      List<String> words = List.of(arguments);
-      boolean isPatient =
-          words.contains(TEAM) && words.stream().noneMatch(each -> each.startsWith("--wait="));
-      String[] all = with(state(), arguments);
-      return plain(MarkedProcesses.here(isPatient ? with("--wait=20", all) : all));
-    }
-
-    private String state() {
-      return "--state=" + folder.resolve("state");
-    }
-
-    private static String[] with(String option, String... words) {
-      return Stream.concat(Arrays.stream(words), Stream.of(option)).toArray(String[]::new);
-    }
-
-    void awaitEnd() {
-      await().atMost(PATIENCE).untilAsserted(() -> assertThat(processes.living()).isEmpty());
-    }
-  }
-
-  private static String module(String name, int celsius) {
-    return """
-    <module name="%s" server="%s" proxy="%s" driver="%s">
-      <parameter name="celsius" value="%d"/>
-    </module>
-    """
-        .formatted(
-            name,
-            ThermometerServer.class.getName(),
-            ThermometerProxy.class.getName(),
-            SteadyThermometerImpl.class.getName(),
-            celsius);
   }
 }

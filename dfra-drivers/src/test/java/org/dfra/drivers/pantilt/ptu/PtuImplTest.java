@@ -4,23 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.dfra.drivers.fixture.Modules.await;
-import static org.dfra.drivers.fixture.Modules.context;
 import static org.dfra.drivers.fixture.Modules.parameter;
 
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.time.Instant;
-import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
-import org.dfra.drivers.fixture.ScriptedLinks;
-import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
 import org.dfra.flow.effector.PanTiltCommand.Point;
@@ -28,63 +18,10 @@ import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.PanTiltAttributes;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The driver alone: the test is the unit and the time. */
-@Timeout(120)
-class PtuImplTest {
-
-  private static final String URL = "tcp://unit:4001";
-  private static final Instant NOW = Instant.parse("2026-11-21T12:00:00Z");
-  private static final double POSITION = Math.toRadians(185.1428 / 3600);
-
-  /** What a PTU-46-17.5 says. */
-  private static final Map<String, String> ANSWERS =
-      Map.of(
-          "PR",
-          "185.1428",
-          "TR",
-          "185.1428",
-          "PN",
-          "-3090",
-          "PX",
-          "3090",
-          "TN",
-          "-907",
-          "TX",
-          "604",
-          "PL",
-          "31",
-          "PU",
-          "2902",
-          "TL",
-          "31",
-          "TU",
-          "2902");
-
-  private static final List<String> QUESTIONS =
-      List.of("PR", "TR", "PN", "PX", "TN", "TX", "PL", "PU", "TL", "TU");
-
-  private final StepTicker ticker = new StepTicker(false);
-  private final ScriptedLinks links = new ScriptedLinks(URL);
-  private final Map<String, String> answers = new HashMap<>(ANSWERS);
-  private ScriptedLink link = new ScriptedLink(URL);
-  private int heard; // pieces that the driver wrote
-  private final PtuImpl unit = driver(Map.of("link", URL, "mount_x", "0.2"));
-
-  @BeforeEach
-  void start() {
-    links.add(link);
-    unit.start();
-  }
-
-  @AfterEach
-  void end() {
-    unit.close();
-  }
+class PtuImplTest extends PtuFixture {
 
   @Test
   void setsTheUnitUpAndAsksWhatItCan() {
@@ -287,79 +224,6 @@ class PtuImplTest {
   }
 
   @Test
-  void haltsPastAWriteThatHangsAndOnceMoreAfterIt() throws Exception {
-    beReady();
-    CommandLease lease = unit.command(Duration.ofSeconds(10));
-    CountDownLatch release = new CountDownLatch(1);
-    link.holdUpAWrite(release);
-    CompletableFuture<Void> writing =
-        CompletableFuture.runAsync(
-            () -> unit.obey(lease.key(), new Point(0.1, 0, 1)), run -> new Thread(run).start());
-    try {
-      await().until(() -> written().stream().anyMatch(each -> each.startsWith("PS")));
-      assertThat(unit.emergencyStop("ops").latched()).isTrue();
-      await().until(() -> written().contains("H "));
-      assertThat(writing).isNotDone();
-      settle(); // the reader does not wait for the write either
-    } finally {
-      release.countDown();
-    }
-    writing.get(60, TimeUnit.SECONDS);
-    await().until(() -> written().stream().filter("H "::equals).count() == 2);
-  }
-
-  @Test
-  void haltsPastAQuestionThatHangsAndOnceMoreAfterIt() throws Exception {
-    beReady();
-    CommandLease lease = unit.command(Duration.ofSeconds(10));
-    unit.obey(lease.key(), new Point(0.1, 0, 1));
-    assertThat(next()).startsWith("PS");
-    say("*\r\n*\r\n*\r\n*\r\n");
-    CountDownLatch release = new CountDownLatch(1);
-    link.holdUpTheReader(release);
-    try {
-      ticker.step(Duration.ofMillis(200));
-      assertThat(next()).isEqualTo("PP ");
-      assertThat(unit.emergencyStop("ops").latched()).isTrue();
-      assertThat(next()).as("while the question hangs").isEqualTo("H ");
-      await().until(() -> unit.stopState().resting());
-    } finally {
-      release.countDown();
-    }
-    assertThat(next()).as("after it").isEqualTo("H ");
-    say("*\r\n"); // the first halt was faster than the question
-    awaitWords();
-    setUp();
-    poll(1, 1);
-    awaitReadiness(Readiness.READY);
-  }
-
-  private List<String> written() {
-    return link.written().stream()
-        .map(each -> new String(each, StandardCharsets.US_ASCII))
-        .toList();
-  }
-
-  @Test
-  void doesNotResetUnderItsCommander() throws Exception {
-    beReady();
-    try (CommandLease unused = unit.command(Duration.ofSeconds(10))) {
-      assertThat(unit.recover("reset_by_moving").finding())
-          .isEqualTo(
-              "it moves the head, which a module in its own virtual machine commands; have its"
-                  + " lease closed first");
-    }
-  }
-
-  @Test
-  void doesNotResetWhileItIsStoppedForAnEmergency() {
-    beReady();
-    assertThat(unit.emergencyStop("ops").latched()).isTrue();
-    assertThat(unit.recover("reset_by_moving").finding())
-        .isEqualTo("it moves the head, which is stopped for an emergency; have it released first");
-  }
-
-  @Test
   void refusesParametersThatAreNone() {
     assertThatThrownBy(() -> driver(Map.of("link", URL, "rate", "50")))
         .isInstanceOf(ConfigurationException.class)
@@ -370,70 +234,5 @@ class PtuImplTest {
         .hasMessageContaining("a number from 0.5 to 20 Hz");
     unit.setParameter("rate", "5");
     assertThat(parameter(unit, "rate")).isEqualTo("5");
-  }
-
-  private void beReady() {
-    awaitWords();
-    setUp();
-    poll(0, 0);
-    awaitReadiness(Readiness.READY);
-  }
-
-  /** Lets time pass, each step looked at by the driver, until it says something. */
-  private void awaitWords() {
-    while (link.written().size() <= heard) {
-      step(20);
-    }
-  }
-
-  private void step(int millis) {
-    ticker.step(Duration.ofMillis(millis));
-    settle();
-  }
-
-  /** Waits until the driver has looked at all that was said, and at the time. */
-  private void settle() {
-    link.awaitLooked();
-  }
-
-  /** Is the unit until everything is told that is asked first, or something is told wrong. */
-  private void setUp() {
-    for (String setting : List.of("ED ", "FT ", "I ")) {
-      assertThat(next()).isEqualTo(setting);
-      say("*\r\n");
-    }
-    for (String question : QUESTIONS) {
-      assertThat(next()).isEqualTo(question + " ");
-      say("* " + answers.get(question) + "\r\n");
-      if (answers.get(question).equals("many")) {
-        return;
-      }
-    }
-  }
-
-  private void poll(int pan, int tilt) {
-    awaitWords();
-    assertThat(next()).isEqualTo("PP ");
-    say("* " + pan + "\r\n");
-    assertThat(next()).isEqualTo("TP ");
-    say("* " + tilt + "\r\n");
-    settle();
-  }
-
-  private String next() {
-    await().pollInterval(Duration.ofMillis(1)).until(() -> link.written().size() > heard);
-    return new String(link.written().get(heard++), StandardCharsets.US_ASCII);
-  }
-
-  private void say(String text) {
-    link.say(text.getBytes(StandardCharsets.US_ASCII));
-  }
-
-  private void awaitReadiness(Readiness expected) {
-    Modules.awaitReadiness(unit, expected);
-  }
-
-  private PtuImpl driver(Map<String, String> texts) {
-    return new PtuImpl(context("pan_tilt", texts, () -> NOW), ticker, links);
   }
 }

@@ -5,69 +5,20 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.dfra.drivers.fixture.Modules.await;
 import static org.dfra.drivers.fixture.Modules.awaitReadiness;
 import static org.dfra.drivers.fixture.Modules.parameter;
-import static org.dfra.drivers.fixture.Modules.texts;
 
-import io.dronefleet.mavlink.common.MavCmd;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.HexFormat;
-import java.util.List;
-import java.util.Map;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Parameters;
-import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
-import org.dfra.drivers.fixture.ScriptedLink;
-import org.dfra.drivers.fixture.StepTicker;
-import org.dfra.drivers.link.LinkKeeper;
-import org.dfra.flow.effector.CommandLease;
-import org.dfra.flow.effector.FlightCommand.GoTo;
 import org.dfra.flow.effector.FlightState;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The modules on a link that says what the test has it say, on stepped time. */
-@Timeout(120)
-class MavlinkModulesTest {
-
-  private static final byte[] HEARTBEAT =
-      hex("FD09000011010100000000000403020C9D0403DE49"); // PX4, armed, in the air
-  private static final byte[] POSITION =
-      hex("FD1C000007010121000040E2010050ECA810A007DACE24F40000204E00002C0170FECEFF0C7B14BD");
-  private static final byte[] RECEIVER =
-      hex(
-          "FD2C000008010118000000909B68E548060050ECA810A007DACE409C00005A007800F401DF77030B"
-              + "A4380000DC050000C40900002C01285C");
-  private static final byte[] FLIES = hex("FD0200000A0101F5000000024E27");
-  private static final byte[] SUPPLY =
-      hex(
-          "FD1F00000B0101010000000000000000000000000000FA00B83DD204000000000000000000000000"
-              + "57024D");
-  private static final byte[] BATTERY =
-      hex(
-          "FD2400000D0101930000FFFFFFFFFFFFFFFFFF7FA00FA00F3C0F3C0FFFFFFFFFFFFFFFFFFFFFFFFF"
-              + "6AFF0000013F4737");
-
-  /** {@code COMMAND_ACK} of {@code DO_SET_MODE}, 176. */
-  private static final byte[] MODE_ACCEPTED =
-      summed(hex("FD030000010101" + "4D0000" + "B000000000"), 143);
-
-  private final StepTicker ticker = new StepTicker(false);
-  private final List<ScriptedLink> links = new CopyOnWriteArrayList<>();
-  private final LinkKeeper.Source source =
-      () -> {
-        ScriptedLink link = new ScriptedLink("tcp://uav:1");
-        links.add(link);
-        return link;
-      };
+class MavlinkModulesTest extends MavlinkFixture {
 
   @Test
   void putsTheStateOfAFlightTogether() {
@@ -86,142 +37,6 @@ class MavlinkModulesTest {
       assertThat(state.speed()).isEqualTo(5.0); // 3 m/s north, 4 m/s west
       assertThat(state.climb()).isEqualTo(0.5);
     }
-  }
-
-  @Test
-  void holdsItsPlacePastACommandThatHangsInTheLink() throws Exception {
-    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
-      CountDownLatch release = new CountDownLatch(1);
-      ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
-      try {
-        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
-        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
-        assertThat(flight.emergencyStop("ops").latched()).isTrue();
-        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
-        assertThat(writing).isNotDone();
-      } finally {
-        release.countDown();
-      }
-      writing.get(60, TimeUnit.SECONDS);
-      await().until(() -> modesSet(link) == 2);
-      say(MODE_ACCEPTED); // the first of them; the second was lost
-      await().until(() -> parameter(flight, "last_order").endsWith("DO_SET_MODE is accepted"));
-      ticker.step(Duration.ofMillis(2100));
-      await("the second is sent again").until(() -> modesSet(link) == 3);
-      say(HEARTBEAT, MODE_ACCEPTED);
-      await().until(() -> link.isTaken());
-      link.awaitLooked();
-      ticker.step(Duration.ofMillis(2100));
-      link.awaitLooked();
-      assertThat(modesSet(link)).as("it is at rest").isEqualTo(3);
-    }
-  }
-
-  @Test
-  void holdsItsPlacePastAWriteOfTheReaderThatHangsAndOnceMoreAfterIt() throws Exception {
-    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
-      ScriptedLink link = links.get(0);
-      flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
-      link.awaitLooked();
-      CountDownLatch release = new CountDownLatch(1);
-      link.holdUpTheReader(release);
-      long written = link.written().size();
-      try {
-        ticker.step(Duration.ofMillis(750)); // unanswered, so it is sent again
-        await().until(() -> link.written().size() > written);
-        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
-        assertThat(flight.emergencyStop("ops").latched()).isTrue();
-        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
-        await().until(() -> flight.stopState().resting());
-      } finally {
-        release.countDown();
-      }
-      link.awaitLooked();
-      ticker.step(Duration.ofMillis(2100));
-      await("as what the vehicle did not accept").until(() -> modesSet(link) >= 2);
-    }
-  }
-
-  private static long modesSet(ScriptedLink link) {
-    return link.written().stream()
-        .filter(each -> isCommand(each, MavCmd.MAV_CMD_DO_SET_MODE))
-        .count();
-  }
-
-  @Test
-  void aModuleEndsThoughItsCommandHangsInTheLink() throws Exception {
-    MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
-    CountDownLatch release = new CountDownLatch(1);
-    try {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
-      ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
-      await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
-      link.awaitLooked(); // the reader goes on
-      CompletableFuture.runAsync(flight::close, run -> new Thread(run).start())
-          .get(40, TimeUnit.SECONDS);
-      assertThat(link.isOpen()).isFalse();
-      assertThat(writing).isNotDone();
-    } finally {
-      release.countDown();
-      flight.close();
-    }
-  }
-
-  @Test
-  void aVehicleThatFallsSilentWhileACommandHangsIsNoticed() throws Exception {
-    CountDownLatch release = new CountDownLatch(1);
-    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
-      ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
-      try {
-        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
-        ticker.step(Duration.ofMillis(3100));
-        await("closing it may set the command free").until(() -> !link.isOpen());
-        assertThat(writing).isNotDone();
-      } finally {
-        release.countDown();
-      }
-    }
-  }
-
-  /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
-  private static boolean isCommand(byte[] frame, MavCmd command) {
-    return frame.length > 40
-        && (frame[7] == 76 || frame[7] == 75)
-        && ((frame[38] & 0xFF) | (frame[39] & 0xFF) << 8) == MavlinkEncoder.number(command);
-  }
-
-  private static boolean isSent(ScriptedLink link, MavCmd command) {
-    return link.written().stream().anyMatch(each -> isCommand(each, command));
   }
 
   @Test
@@ -401,16 +216,9 @@ class MavlinkModulesTest {
     }
   }
 
-  /** Says it on the link that is open now, or will be. */
+  /** Waits until the module has taken so many frames. */
   private static void awaitFrames(ModuleImpl module, int all) {
     await().until(() -> parameter(module, "frames").equals(Integer.toString(all)));
-  }
-
-  private void say(byte[]... frames) {
-    await().until(() -> !links.isEmpty());
-    for (byte[] frame : frames) {
-      links.get(links.size() - 1).say(frame);
-    }
   }
 
   private long written(int message) {
@@ -418,22 +226,5 @@ class MavlinkModulesTest {
         .flatMap(link -> link.written().stream())
         .filter(frame -> frame[7] == message && frame[8] == 0)
         .count();
-  }
-
-  private static byte[] summed(byte[] frame, int extra) {
-    int sum = MavlinkFramer.checksum(frame, 1, frame.length - 2, extra);
-    frame[frame.length - 2] = (byte) sum;
-    frame[frame.length - 1] = (byte) (sum >> 8);
-    return frame;
-  }
-
-  private static ModuleContext context(String name, String... parameters) {
-    Map<String, String> all = texts("link", "tcp://uav:1");
-    all.putAll(texts(parameters));
-    return new ModuleContext("uav", name, Parameters.of("uav/" + name, all), Instant::now);
-  }
-
-  private static byte[] hex(String text) {
-    return HexFormat.of().parseHex(text);
   }
 }

@@ -1,0 +1,157 @@
+package org.dfra.drivers.uav.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.dfra.drivers.fixture.Modules.await;
+import static org.dfra.drivers.fixture.Modules.awaitReadiness;
+import static org.dfra.drivers.fixture.Modules.parameter;
+
+import io.dronefleet.mavlink.common.MavCmd;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.drivers.fixture.ScriptedLink;
+import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.FlightCommand.GoTo;
+import org.dfra.module.Readiness;
+import org.junit.jupiter.api.Test;
+
+/** A flight controller on a link that holds up what is written to it. */
+class MavlinkHeldUpLinkTest extends MavlinkFixture {
+
+  @Test
+  void holdsItsPlacePastACommandThatHangsInTheLink() throws Exception {
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      CountDownLatch release = new CountDownLatch(1);
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      try {
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
+        assertThat(flight.emergencyStop("ops").latched()).isTrue();
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
+        assertThat(writing).isNotDone();
+      } finally {
+        release.countDown();
+      }
+      writing.get(60, TimeUnit.SECONDS);
+      await().until(() -> modesSet(link) == 2);
+      say(MODE_ACCEPTED); // the first of them; the second was lost
+      await().until(() -> parameter(flight, "last_order").endsWith("DO_SET_MODE is accepted"));
+      ticker.step(Duration.ofMillis(2100));
+      await("the second is sent again").until(() -> modesSet(link) == 3);
+      say(HEARTBEAT, MODE_ACCEPTED);
+      await().until(() -> link.isTaken());
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      link.awaitLooked();
+      assertThat(modesSet(link)).as("it is at rest").isEqualTo(3);
+    }
+  }
+
+  @Test
+  void holdsItsPlacePastAWriteOfTheReaderThatHangsAndOnceMoreAfterIt() throws Exception {
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
+      link.awaitLooked();
+      CountDownLatch release = new CountDownLatch(1);
+      link.holdUpTheReader(release);
+      long written = link.written().size();
+      try {
+        ticker.step(Duration.ofMillis(750)); // unanswered, so it is sent again
+        await().until(() -> link.written().size() > written);
+        assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
+        assertThat(flight.emergencyStop("ops").latched()).isTrue();
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
+        await().until(() -> flight.stopState().resting());
+      } finally {
+        release.countDown();
+      }
+      link.awaitLooked();
+      ticker.step(Duration.ofMillis(2100));
+      await("as what the vehicle did not accept").until(() -> modesSet(link) >= 2);
+    }
+  }
+
+  private static long modesSet(ScriptedLink link) {
+    return link.written().stream()
+        .filter(each -> isCommand(each, MavCmd.MAV_CMD_DO_SET_MODE))
+        .count();
+  }
+
+  @Test
+  void aModuleEndsThoughItsCommandHangsInTheLink() throws Exception {
+    MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
+    CountDownLatch release = new CountDownLatch(1);
+    try {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+      link.awaitLooked(); // the reader goes on
+      CompletableFuture.runAsync(flight::close, run -> new Thread(run).start())
+          .get(40, TimeUnit.SECONDS);
+      assertThat(link.isOpen()).isFalse();
+      assertThat(writing).isNotDone();
+    } finally {
+      release.countDown();
+      flight.close();
+    }
+  }
+
+  @Test
+  void aVehicleThatFallsSilentWhileACommandHangsIsNoticed() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
+      flight.start();
+      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+      awaitReadiness(flight, Readiness.READY);
+      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      ScriptedLink link = links.get(0);
+      link.holdUpAWrite(release);
+      GoTo away = new GoTo(flight.flight().position(), 3);
+      CompletableFuture<Void> writing =
+          CompletableFuture.runAsync(
+              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
+      try {
+        await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
+        ticker.step(Duration.ofMillis(3100));
+        await("closing it may set the command free").until(() -> !link.isOpen());
+        assertThat(writing).isNotDone();
+      } finally {
+        release.countDown();
+      }
+    }
+  }
+
+  /** By the number of the command, which stands behind 28 bytes of a {@code COMMAND_LONG}. */
+  private static boolean isCommand(byte[] frame, MavCmd command) {
+    return frame.length > 40
+        && (frame[7] == 76 || frame[7] == 75)
+        && ((frame[38] & 0xFF) | (frame[39] & 0xFF) << 8) == MavlinkEncoder.number(command);
+  }
+
+  private static boolean isSent(ScriptedLink link, MavCmd command) {
+    return link.written().stream().anyMatch(each -> isCommand(each, command));
+  }
+}
