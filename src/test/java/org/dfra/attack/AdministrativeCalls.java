@@ -95,6 +95,7 @@ public final class AdministrativeCalls implements Task {
           });
       attempt("revoke", () -> admin.revoke(each.handle()));
     }
+    own.close(); // so that the next one who lists leases does not see it
   }
 
   private void module(RemoteDriveEffector drive, SourceSockets sockets) throws Exception {

@@ -12,38 +12,48 @@ import org.dfra.drive.WheeledRobot;
 import org.dfra.drive.WheeledRobot.Said;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.StopState;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A fake proxy is registered under the drive's service ID in its own registrar, and answers every
  * stop with "stopped". Whoever stops the robot from another computer, by its registrar and its
- * phoenix, halts the real wheels and is told the truth.
+ * phoenix, halts the real wheels and is told the truth. The tests share the robot.
  */
 @Timeout(180)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class FalseStopIT {
 
   private static final Duration LEASE = Duration.ofSeconds(30);
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private final StallProbe probe = StallProbe.start();
-  private WheeledRobot robot;
-  private FalseDrives fakes;
-  private Path elsewhere;
+  private static final StallProbe probe = StallProbe.start();
+  private static WheeledRobot robot;
+  private static FalseDrives fakes;
+  private static Path elsewhere;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
     robot = WheeledRobot.start(folder, "drive");
     fakes = new FalseDrives(robot.locator());
     elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @BeforeEach
+  void reset() throws Exception {
+    robot.reset();
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
     try (FalseDrives gone = fakes) {
       if (robot != null) {
         robot.close();
@@ -53,11 +63,12 @@ class FalseStopIT {
     }
   }
 
-  private Said stop() throws Exception {
+  private static Said stop() throws Exception {
     return robot.stopFromElsewhere(elsewhere, "--all", robot.phoenixOption());
   }
 
   @Test
+  @Order(1)
   void theRealWheelsStopAndItsPhoenixConfirmsIt() throws Exception {
     try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
@@ -75,6 +86,7 @@ class FalseStopIT {
   }
 
   @Test
+  @Order(2) // it kills the drive, whose next incarnation takes the place of the fake at any time
   void whatItsPhoenixCannotConfirmIsShownAsDoubt() throws Exception {
     fakes.replace();
     robot.signal("STOP", "eta.wheels");

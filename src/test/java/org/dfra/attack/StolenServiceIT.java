@@ -19,34 +19,40 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.entry.Entries;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A stranger registers a fake under the service ID of a robot's drive, in the robot's own
  * registrar, so that a stop goes to the fake. It is refused, also after the registrar and the drive
- * were killed; the drive's new incarnation registers under its ID.
+ * were killed; the drive's new incarnation registers under its ID. The tests share the robot and
+ * the stranger.
  */
 @Timeout(180)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class StolenServiceIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final Duration LEASE = Duration.ofSeconds(20);
   private static final String REFUSED = "RegistrationRefusedException";
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private final AttackHosts hosts = AttackHosts.assumed();
-  private WheeledRobot robot;
-  private LookupLocator locator;
-  private ServiceID drive;
-  private TaskProcess task;
+  private static AttackHosts hosts;
+  private static WheeledRobot robot;
+  private static LookupLocator locator;
+  private static ServiceID drive;
+  private static TaskProcess task;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
+    hosts = AttackHosts.assumed();
     robot = WheeledRobot.start(folder, "drive");
     locator = new LookupLocator(robot.locator());
     drive = Fakes.id(registrar(), DriveEffector.class);
@@ -54,19 +60,19 @@ class StolenServiceIT {
     assertThat(tried(hosts.attacker(), "learn")).isEqualTo("done");
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @AfterAll
+  static void takeDown() throws Exception {
     try (WheeledRobot down = robot;
         TaskProcess killed = task) {
       assertThat(killed == null || killed.isAlive()).as("the attacker").isTrue();
     }
   }
 
-  private ServiceRegistrar registrar() throws Exception {
+  private static ServiceRegistrar registrar() throws Exception {
     return locator.getRegistrar();
   }
 
-  private String tried(String source, String verb) throws Exception {
+  private static String tried(String source, String verb) throws Exception {
     task.write(source + " " + verb);
     return task.awaitLine("", PATIENCE);
   }
@@ -87,6 +93,7 @@ class StolenServiceIT {
   }
 
   @Test
+  @Order(1)
   void aStopGoesToTheDriveAndNotToAFake() throws Exception {
     Object honest = seen().proxy();
     try (Commander commander = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
@@ -103,6 +110,7 @@ class StolenServiceIT {
   }
 
   @Test
+  @Order(2) // it kills what the robot consists of
   void theDrivesNewIncarnationRegistersUnderItsIdAndAFakeDoesNot() throws Exception {
     ModuleAttributes before = seen().attributes();
     robot.phoenix().kill("eta.wheels");

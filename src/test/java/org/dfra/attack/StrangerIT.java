@@ -18,9 +18,13 @@ import org.dfra.module.LogLevel;
 import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,26 +32,28 @@ import org.junit.jupiter.api.io.TempDir;
  * A stranger on the network lists leases, and tries to revoke them, to change the drive's
  * parameters and log level, to end the drive and its registrar, and to release an emergency stop.
  * All of that is refused and the wheels turn on; the robot's own computer and its configured
- * operator still may.
+ * operator still may. The tests share the robot and the stranger.
  */
 @Timeout(120)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class StrangerIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final String REFUSED = "AdministrationRefusedException";
   private static final double SPEED = 0.5;
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private final AttackHosts hosts = AttackHosts.assumed();
-  private Wheels wheels;
-  private EmbeddedRobot robot;
-  private JiniModuleDirectory directory;
-  private DriveEffector drive;
-  private TaskProcess task;
+  private static AttackHosts hosts;
+  private static Wheels wheels;
+  private static EmbeddedRobot robot;
+  private static JiniModuleDirectory directory;
+  private static DriveEffector drive;
+  private static TaskProcess task;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
+    hosts = AttackHosts.assumed();
     wheels = new Wheels();
     String administration = "<administration from=\"" + hosts.operator() + "\"/>";
     robot = AttackedRobot.of(folder, hosts.robot(), administration, wheels);
@@ -60,8 +66,13 @@ class StrangerIT {
         AttackedRobot.attacker(AdministrativeCalls.class, hosts.robot(), robot.registrar().port());
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @BeforeEach
+  void awaitRest() {
+    await().atMost(PATIENCE).until(() -> wheels.standingSince() != null);
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
     try (Wheels stopped = wheels;
         EmbeddedRobot ended = robot;
         JiniModuleDirectory closed = directory;
@@ -84,6 +95,7 @@ class StrangerIT {
   }
 
   @Test
+  @Order(1)
   void changesNothingAndTheWheelsTurnOn() throws Exception {
     LogLevel level = drive.logLevel();
     try (Commander commander = new Commander(drive, PATIENCE, new Velocity(SPEED, 0))) {
@@ -117,6 +129,7 @@ class StrangerIT {
   }
 
   @Test
+  @Order(2)
   void mayStopARobotButNotReleaseIt() throws Exception {
     assertThat(tried(hosts.attacker(), "stop")).containsExactly("stop: done");
     assertThat(drive.stopState().latched()).isTrue();
@@ -131,6 +144,7 @@ class StrangerIT {
   }
 
   @Test
+  @Order(3) // it changes the robot
   void theOperatorMayAdminister() throws Exception {
     try (Commander commander = new Commander(drive, PATIENCE, new Velocity(SPEED, 0))) {
       assertThat(tried(hosts.operator(), "lease"))

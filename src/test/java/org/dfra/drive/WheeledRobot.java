@@ -233,7 +233,7 @@ public final class WheeledRobot implements AutoCloseable {
    * Makes it as it was at first, for the next test that shares it: its drive ready and released,
    * its wheels stopped and braked, and nobody in command of them.
    */
-  void reset() throws Exception {
+  public void reset() throws Exception {
     phoenix.note();
     patiently()
         .until(
