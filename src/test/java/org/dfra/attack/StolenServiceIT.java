@@ -19,7 +19,8 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.entry.Entries;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 /**
  * A stranger registers a fake under the service ID of a robot's drive, in the robot's own
  * registrar, so that a stop goes to the fake. It is refused, also after the registrar and the drive
- * were killed; the drive's new incarnation registers under its ID.
+ * were killed; the drive's new incarnation registers under its ID. Both tests share the robot.
  */
 @Timeout(180)
 class StolenServiceIT {
@@ -37,16 +38,17 @@ class StolenServiceIT {
   private static final Duration LEASE = Duration.ofSeconds(20);
   private static final String REFUSED = "RegistrationRefusedException";
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private final AttackHosts hosts = AttackHosts.assumed();
-  private WheeledRobot robot;
-  private LookupLocator locator;
-  private ServiceID drive;
-  private TaskProcess task;
+  private static AttackHosts hosts;
+  private static WheeledRobot robot;
+  private static LookupLocator locator;
+  private static ServiceID drive;
+  private static TaskProcess task;
 
-  @BeforeEach
-  void bringUp() throws Exception {
+  @BeforeAll
+  static void bringUp() throws Exception {
+    hosts = AttackHosts.assumed();
     robot = WheeledRobot.start(folder, "drive");
     locator = new LookupLocator(robot.locator());
     drive = Fakes.id(registrar(), DriveEffector.class);
@@ -54,19 +56,24 @@ class StolenServiceIT {
     assertThat(tried(hosts.attacker(), "learn")).isEqualTo("done");
   }
 
-  @AfterEach
-  void takeDown() throws Exception {
+  @BeforeEach
+  void reset() throws Exception {
+    robot.reset();
+  }
+
+  @AfterAll
+  static void takeDown() throws Exception {
     try (WheeledRobot down = robot;
         TaskProcess killed = task) {
       assertThat(killed == null || killed.isAlive()).as("the attacker").isTrue();
     }
   }
 
-  private ServiceRegistrar registrar() throws Exception {
+  private static ServiceRegistrar registrar() throws Exception {
     return locator.getRegistrar();
   }
 
-  private String tried(String source, String verb) throws Exception {
+  private static String tried(String source, String verb) throws Exception {
     task.write(source + " " + verb);
     return task.awaitLine("", PATIENCE);
   }
@@ -74,7 +81,7 @@ class StolenServiceIT {
   /** A registration as a client of the robot's registrar sees it. */
   private record Seen(Object proxy, ModuleAttributes attributes) {}
 
-  private Seen seen() throws Exception {
+  private static Seen seen() throws Exception {
     ServiceMatches matches = registrar().lookup(new ServiceTemplate(drive, null, null), 1);
     assertThat(matches.totalMatches).as("registrations under the drive's ID").isEqualTo(1);
     ModuleAttributes attributes =
@@ -121,7 +128,7 @@ class StolenServiceIT {
     awaitIncarnationAfter(second);
   }
 
-  private void awaitIncarnationAfter(ModuleAttributes before) {
+  private static void awaitIncarnationAfter(ModuleAttributes before) {
     await("a new incarnation of the drive")
         .atMost(PATIENCE)
         .ignoreExceptionsInstanceOf(IOException.class)
