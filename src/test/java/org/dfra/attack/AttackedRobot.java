@@ -67,8 +67,7 @@ final class AttackedRobot {
   static TaskProcess attacker(
       List<String> prefix, Class<? extends Task> task, String host, int port)
       throws IOException, InterruptedException {
-    TaskProcess started =
-        TaskProcess.start(prefix, List.of(), task, host, Integer.toString(port));
+    TaskProcess started = TaskProcess.start(prefix, List.of(), task, host, Integer.toString(port));
     try {
       String unused = started.awaitLine("ready", PATIENCE);
       return started;

@@ -14,7 +14,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 import java.util.UUID;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
@@ -97,8 +96,7 @@ class LargeAnswersTest {
       assertThat(in.readObject()).isEqualTo(frame);
     }
     try (OpenBox box = new OpenBox()) {
-      Delivery event =
-          new Delivery("atrv1/camera", 1, 1, 0, Instant.EPOCH, new NewReading(frame));
+      Delivery event = new Delivery("atrv1/camera", 1, 1, 0, Instant.EPOCH, new NewReading(frame));
       assertThat(box.proxy().put(event)).isEqualTo(1);
     }
   }
@@ -148,16 +146,8 @@ class LargeAnswersTest {
   /** 640 × 480 pixels of three colours that no encoding has made smaller. */
   private static CameraImage frame() {
     byte[] data = new byte[640 * 480 * 3];
-    new Random(1).nextBytes(data);
     return new CameraImage(
-        Instant.EPOCH,
-        "atrv1/camera",
-        CameraImage.Band.VISIBLE,
-        640,
-        480,
-        500,
-        "image/png",
-        data);
+        Instant.EPOCH, "atrv1/camera", CameraImage.Band.VISIBLE, 640, 480, 500, "image/png", data);
   }
 
   /** The stream of a call's result, guarded as DFRA's proxies guard it. */
@@ -173,11 +163,7 @@ class LargeAnswersTest {
                 });
     return SerialFilters.guardResult(
         new MarshalInputStream(
-            SerialFilters.bounded(request).getResponseInputStream(),
-            LOADER,
-            false,
-            null,
-            List.of()),
+            SerialFilters.bounded(request).getResponseInputStream(), LOADER, false, null, List.of()),
         method);
   }
 }
