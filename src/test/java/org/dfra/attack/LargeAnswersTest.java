@@ -163,7 +163,11 @@ class LargeAnswersTest {
                 });
     return SerialFilters.guardResult(
         new MarshalInputStream(
-            SerialFilters.bounded(request).getResponseInputStream(), LOADER, false, null, List.of()),
+            SerialFilters.bounded(request).getResponseInputStream(),
+            LOADER,
+            false,
+            null,
+            List.of()),
         method);
   }
 }
