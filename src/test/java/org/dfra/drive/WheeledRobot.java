@@ -120,8 +120,7 @@ public final class WheeledRobot implements AutoCloseable {
     return each;
   }
 
-  private static String described(
-      String administration, int port, String link, String... modules) {
+  private static String described(String administration, int port, String link, String... modules) {
     String properties = System.getProperty("dfra.root") + "/config/modules/rflex-%s.properties";
     return """
     <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
