@@ -57,6 +57,7 @@ public final class AdministrativeCalls implements Task {
       switch (words[1]) {
         case "lease" -> leases(drive(registrar, sockets), sockets);
         case "module" -> module(drive(registrar, sockets), sockets);
+        case "parameter" -> parameter(drive(registrar, sockets));
         case "end-module" -> endModule(drive(registrar, sockets), sockets);
         case "registrar" -> registrar(registrar, sockets);
         case "end-registrar" -> endRegistrar(registrar, sockets);
@@ -100,10 +101,14 @@ public final class AdministrativeCalls implements Task {
 
   private void module(RemoteDriveEffector drive, SourceSockets sockets) throws Exception {
     ModuleAdmin admin = Rebased.of((ModuleAdmin) drive.getAdmin(), sockets);
-    attempt("parameter", () -> call(() -> drive.setParameter("max_speed", "0.2")));
+    parameter(drive);
     attempt("level", () -> call(() -> drive.setLogLevel(LogLevel.TRACE)));
     attempt("outputs", () -> call(() -> drive.setOutputs(List.of())));
     attempt("groups", () -> call(() -> admin.setLookupGroups(new String[] {"elsewhere"})));
+  }
+
+  private void parameter(RemoteDriveEffector drive) {
+    attempt("parameter", () -> call(() -> drive.setParameter("max_speed", "0.2")));
   }
 
   private void endModule(RemoteDriveEffector drive, SourceSockets sockets) throws Exception {

@@ -24,12 +24,16 @@ final class AnswerFuzzer implements AutoCloseable {
   private static final int REQUEST = 4096;
   private static final int SOCKET_MILLIS = 2_000;
 
+  /** The first of the connections that end otherwise are reported, the others counted. */
+  private static final int REPORTED = 100;
+
   private final ServerSocket server;
   private final String host;
   private final int honestPort;
   private final ByteMutator mutator;
   private byte[] recorded = {}; // by the thread
   private int answers; // guarded by this
+  private int broken; // guarded by this
   private boolean honest; // guarded by this
 
   /**
@@ -80,6 +84,21 @@ final class AnswerFuzzer implements AutoCloseable {
     }
   }
 
+  /** How many connections ended otherwise than by the client's closing them after the answer. */
+  synchronized int broken() {
+    return broken;
+  }
+
+  private void report(String what, IOException e) {
+    int count;
+    synchronized (this) {
+      count = ++broken;
+    }
+    if (count <= REPORTED) { // of a million answers, many
+      System.err.println(what + ": " + e);
+    }
+  }
+
   private void serve() {
     while (!server.isClosed()) {
       try (Socket client = server.accept()) {
@@ -91,7 +110,7 @@ final class AnswerFuzzer implements AutoCloseable {
         }
       } catch (IOException e) {
         if (!server.isClosed()) {
-          System.err.println("a client of discovery ended early: " + e); // it may
+          report("a client of discovery ended early", e); // it may
         }
       }
     }
@@ -139,7 +158,7 @@ final class AnswerFuzzer implements AutoCloseable {
           continue;
         }
       } catch (SocketTimeoutException e) {
-        System.err.println("a client of discovery does not close: " + e); // it is left alone
+        report("a client of discovery does not close", e); // it is left alone
       }
     }
   }

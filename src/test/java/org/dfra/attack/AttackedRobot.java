@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import org.dfra.app.bench.attack.Task;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.core.config.RobotXml;
@@ -54,13 +56,38 @@ final class AttackedRobot {
    */
   static TaskProcess attacker(Class<? extends Task> task, String host, int port)
       throws IOException, InterruptedException {
-    TaskProcess started = TaskProcess.start(task, host, Integer.toString(port));
+    return attacker(List.of(), task, host, port);
+  }
+
+  /**
+   * The same on another computer.
+   *
+   * @param prefix what runs a command there; empty for this computer
+   */
+  static TaskProcess attacker(
+      List<String> prefix, Class<? extends Task> task, String host, int port)
+      throws IOException, InterruptedException {
+    TaskProcess started = TaskProcess.start(prefix, List.of(), task, host, Integer.toString(port));
     try {
       String unused = started.awaitLine("ready", PATIENCE);
       return started;
     } catch (IOException | InterruptedException e) {
       started.close();
       throw e;
+    }
+  }
+
+  /** What each call of a verb of {@link AdministrativeCalls} came to, from an address. */
+  static List<String> tried(TaskProcess task, String source, String verb)
+      throws IOException, InterruptedException {
+    task.write(source + " " + verb);
+    List<String> outcomes = new ArrayList<>();
+    while (true) {
+      String line = task.awaitLine("", PATIENCE);
+      if (line.equals(AdministrativeCalls.END)) {
+        return outcomes;
+      }
+      outcomes.add(line);
     }
   }
 }

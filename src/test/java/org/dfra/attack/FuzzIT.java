@@ -16,6 +16,8 @@ import com.sun.jini.discovery.plaintext.Client;
 import com.sun.jini.discovery.plaintext.Server;
 import java.io.IOException;
 import java.io.ObjectInputStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryMXBean;
 import java.net.DatagramPacket;
 import java.net.InetAddress;
 import java.nio.file.Files;
@@ -23,6 +25,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.InvocationConstraints;
@@ -50,15 +53,19 @@ import org.junit.jupiter.api.io.TempDir;
  * Valid messages, changed at random, are sent to a robot: no thread of it ends, it keeps no memory,
  * and it still does its work.
  *
- * <p>Short: 300 of each kind. {@code dfra.full}: 10 000. {@code dfra.soak}: a million. {@code
+ * <p>Short: 300 of each kind. {@code dfra.full}: 10 000. {@code dfra.soak}: a million, and after
+ * each {@value #PART} of them threads and memory are checked and progress is printed. {@code
  * -Ddfra.seed=n} repeats a run.
  */
-@Timeout(value = 6, unit = TimeUnit.HOURS)
+@Timeout(value = 12, unit = TimeUnit.HOURS)
 class FuzzIT {
 
   private static final boolean SOAK = Boolean.getBoolean("dfra.soak");
   private static final boolean FULL = SOAK || Boolean.getBoolean("dfra.full");
   private static final int COUNT = SOAK ? 1_000_000 : FULL ? 10_000 : 300;
+
+  /** After so many messages threads and memory are checked, and progress is printed. */
+  private static final int PART = 50_000;
 
   /** So many come before memory is measured: classes are loaded, pools filled. */
   private static final int WARM_UP = 100;
@@ -93,8 +100,12 @@ class FuzzIT {
       }
       sendChanged(WARM_UP, module, calls, mutator);
       Victim victim = Victim.of(robot.pid());
-      sendChanged(COUNT, module, calls, mutator);
-      victim.assertRecovers(POOLED, Victim.HEAP);
+      Progress progress = new Progress("calls", victim, robot);
+      for (int done = 0; done < COUNT; progress.reached(done)) {
+        int part = Math.min(PART, COUNT - done);
+        sendChanged(part, module, calls, mutator);
+        done += part;
+      }
       assertThat(module.readiness().serves()).as(repeat).isTrue();
       assertThat(module.celsius()).as(repeat).isBetween(-273.15, 1000.0);
       assertNoThreadDied(robot);
@@ -109,17 +120,57 @@ class FuzzIT {
     try (TaskProcess robot = robot(EmbeddedReggie.HOST);
         AnswerFuzzer fuzzer = new AnswerFuzzer(EmbeddedReggie.HOST, REGGIE.port(), mutator)) {
       robot.write("discover " + fuzzer.locator());
-      long patience = PATIENCE.toSeconds() + COUNT / 10;
+      long patience = PATIENCE.toSeconds() + Math.min(PART, COUNT) / 10;
       fuzzer.awaitAnswers(WARM_UP, patience);
       Victim victim = Victim.of(robot.pid());
+      Progress progress = new Progress("answers of discovery", victim, robot);
+      for (int done = 0; done < COUNT - PART; progress.reached(done)) {
+        done += PART;
+        fuzzer.awaitAnswers(WARM_UP + done, patience);
+      }
       fuzzer.awaitAnswers(WARM_UP + COUNT, patience);
+      System.out.println("connections of discovery that broke: " + fuzzer.broken());
       fuzzer.beHonest();
       robot.write("stop");
       ServiceID honest = REGGIE.registrar().getServiceID();
       assertThat(robot.awaitLine("found", PATIENCE)).as(repeat).isEqualTo("found " + honest);
+      progress.reached(COUNT);
+    }
+  }
+
+  /** What messages of a kind may cost a robot, and how many were sent. */
+  private final class Progress {
+
+    private final String what;
+    private final Victim victim;
+    private final TaskProcess robot;
+    private final long began = System.nanoTime();
+
+    Progress(String what, Victim victim, TaskProcess robot) {
+      this.what = what;
+      this.victim = victim;
+      this.robot = robot;
+    }
+
+    /** Asserts, after so many messages, that they cost no memory and ended no thread. */
+    void reached(int count) {
       victim.assertRecovers(POOLED, Victim.HEAP);
       assertNoThreadDied(robot);
+      print(what, count, began);
     }
+  }
+
+  private void print(String what, int count, long began) {
+    double seconds = (System.nanoTime() - began) / 1e9;
+    System.out.printf(
+        Locale.ROOT,
+        "%d of %d changed %s in %.0f s, %.0f/s; %s%n",
+        count,
+        COUNT,
+        what,
+        seconds,
+        count / seconds,
+        repeat);
   }
 
   /**
@@ -138,6 +189,8 @@ class FuzzIT {
       assertThat(parses(datagrams.get(datagrams.size() - 1))).as("an announcement").isTrue();
     }
     int refused = 0;
+    long began = System.nanoTime();
+    long heap = heapBytes();
     for (int i = 0; i < COUNT; i++) {
       byte[] changed = mutator.mutate(datagrams.get(random.nextInt(datagrams.size())));
       try {
@@ -145,8 +198,19 @@ class FuzzIT {
       } catch (Error e) {
         throw new AssertionError("datagram " + i + ", " + repeat, e);
       }
+      if ((i + 1) % PART == 0) {
+        print("datagrams", i + 1, began);
+      }
     }
+    assertThat(heapBytes() - heap).as("bytes that are kept; %s", repeat).isLessThan(Victim.HEAP);
     assertThat(refused).as("datagrams refused; %s", repeat).isBetween(1, COUNT - 1);
+  }
+
+  /** Of objects of this process that are in use. */
+  private static long heapBytes() {
+    MemoryMXBean memory = ManagementFactory.getMemoryMXBean();
+    memory.gc();
+    return memory.getHeapMemoryUsage().getUsed();
   }
 
   private TaskProcess robot(String host) throws IOException, InterruptedException {

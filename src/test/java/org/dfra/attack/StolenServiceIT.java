@@ -80,7 +80,7 @@ class StolenServiceIT {
   /** A registration as a client of the robot's registrar sees it. */
   private record Seen(Object proxy, ModuleAttributes attributes) {}
 
-  private Seen seen() throws Exception {
+  private static Seen seen() throws Exception {
     ServiceMatches matches = registrar().lookup(new ServiceTemplate(drive, null, null), 1);
     assertThat(matches.totalMatches).as("registrations under the drive's ID").isEqualTo(1);
     ModuleAttributes attributes =
@@ -129,7 +129,7 @@ class StolenServiceIT {
     awaitIncarnationAfter(second);
   }
 
-  private void awaitIncarnationAfter(ModuleAttributes before) {
+  private static void awaitIncarnationAfter(ModuleAttributes before) {
     await("a new incarnation of the drive")
         .atMost(PATIENCE)
         .ignoreExceptionsInstanceOf(IOException.class)

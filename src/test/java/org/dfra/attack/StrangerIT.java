@@ -5,7 +5,6 @@ import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import net.jini.admin.Administrable;
 import net.jini.lookup.DiscoveryAdmin;
@@ -83,15 +82,7 @@ class StrangerIT {
 
   /** What each call of a verb came to, from an address. */
   private List<String> tried(String source, String verb) throws Exception {
-    task.write(source + " " + verb);
-    List<String> outcomes = new ArrayList<>();
-    while (true) {
-      String line = task.awaitLine("", PATIENCE);
-      if (line.equals(AdministrativeCalls.END)) {
-        return outcomes;
-      }
-      outcomes.add(line);
-    }
+    return AttackedRobot.tried(task, source, verb);
   }
 
   @Test

@@ -58,13 +58,17 @@ public final class WheeledRobot implements AutoCloseable {
   /** What is to be closed, the last first. */
   private final Deque<AutoCloseable> open;
 
-  private WheeledRobot(Deque<AutoCloseable> open, Path folder, String... modules) throws Exception {
+  private WheeledRobot(
+      Deque<AutoCloseable> open, Path folder, String administration, String... modules)
+      throws Exception {
     this.open = open;
     wheels = opened(new Wheels());
     phoenix = opened(LivingPhoenix.start(folder.resolve("phoenix")));
     int port = FreePorts.next();
     locator = "jini://" + HOST + ":" + port;
-    xml = Files.writeString(folder.resolve("robot.xml"), described(port, wheels.url(), modules));
+    xml =
+        Files.writeString(
+            folder.resolve("robot.xml"), described(administration, port, wheels.url(), modules));
     List<RobotBootstrap.Service> unused =
         new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
     phoenix.note();
@@ -83,9 +87,24 @@ public final class WheeledRobot implements AutoCloseable {
    * @param modules of the controller: {@code drive}, and {@code odometry}, {@code battery}
    */
   public static WheeledRobot start(Path folder, String... modules) throws Exception {
+    return begin(folder, "", modules);
+  }
+
+  /**
+   * The same, which may be administered from one more address.
+   *
+   * @param administrator that address, besides the robot's own
+   */
+  public static WheeledRobot startAdministeredFrom(
+      String administrator, Path folder, String... modules) throws Exception {
+    return begin(folder, "<administration from=\"" + administrator + "\"/>", modules);
+  }
+
+  private static WheeledRobot begin(Path folder, String administration, String... modules)
+      throws Exception {
     Deque<AutoCloseable> open = new ArrayDeque<>();
     try {
-      return new WheeledRobot(open, folder, modules);
+      return new WheeledRobot(open, folder, administration, modules);
     } catch (Exception | AssertionError e) {
       try {
         close(open);
@@ -101,10 +120,11 @@ public final class WheeledRobot implements AutoCloseable {
     return each;
   }
 
-  private static String described(int port, String link, String... modules) {
+  private static String described(String administration, int port, String link, String... modules) {
     String properties = System.getProperty("dfra.root") + "/config/modules/rflex-%s.properties";
     return """
     <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
+      %s
       <group name="lookup"><registrar port="%d"/></group>
       <group name="wheels">
     %s
@@ -112,6 +132,7 @@ public final class WheeledRobot implements AutoCloseable {
     </robot>
     """
         .formatted(
+            administration,
             port,
             Arrays.stream(modules)
                 .map(
