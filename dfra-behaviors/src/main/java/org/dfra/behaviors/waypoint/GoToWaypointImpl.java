@@ -36,6 +36,8 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code attempts}: to get out of one place, 0 to 100; default 6
  *   <li>{@code overshoot}: metres beside its end at which a leg that was passed counts as driven, 0
  *       to 100; default 1
+ *   <li>{@code peer_speed}: metres per second, the highest of other robots, 0 to 10; default 0.7;
+ *       see {@link ClearanceMargin}
  *   <li>{@code rate}: as every behaviour's; default 10 Hz
  * </ul>
  */
@@ -48,6 +50,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   private final Reach reach;
   private final int attempts;
   private final double overshoot;
+  private final double peerSpeed;
   private volatile @Nullable LegPursuit last; // that was made
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
@@ -60,6 +63,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
     this.attempts = (int) settings().number("attempts", 6, 0, 100);
     this.overshoot = settings().number("overshoot", 1, 0, 100);
+    this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
   }
 
   @Override
@@ -84,6 +88,8 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
                 rules::now,
                 new Wheels(interlock()),
                 context().robotTime()::nanos,
+                clock(),
+                peerSpeed,
                 attempts,
                 overshoot),
             new Leg(from, goal.to()),

@@ -2,6 +2,7 @@ package org.dfra.behaviors.waypoint;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -17,7 +18,10 @@ import org.dfra.geometry.Leg;
 import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
-/** One leg being driven. Every turn it looks, asks the rules, and tells the wheels. */
+/**
+ * One leg being driven. Every turn it looks, asks the rules, and tells the wheels. The rules get a
+ * clearance less what a late percept or cycle costs, see {@link ClearanceMargin}.
+ */
 final class LegPursuit implements Pursuit {
 
   /**
@@ -25,6 +29,8 @@ final class LegPursuit implements Pursuit {
    *
    * @param heading gives the one that is there now; likewise room and rules
    * @param nanos the robot's time
+   * @param clock that of the percepts
+   * @param peerSpeed the highest of other robots, metres per second
    * @param attempts recoveries on one leg after which it counts as barred
    * @param overshoot metres beside its end at which a leg counts as driven once it is passed
    */
@@ -34,6 +40,8 @@ final class LegPursuit implements Pursuit {
       Supplier<FuzzyDrive> rules,
       Wheels wheels,
       LongSupplier nanos,
+      InstantSource clock,
+      double peerSpeed,
       int attempts,
       double overshoot) {}
 
@@ -52,6 +60,7 @@ final class LegPursuit implements Pursuit {
   private final long began; // nanoseconds of the robot's time
   private volatile @Nullable Duration limit; // since it began
   private final StuckWatch watch = new StuckWatch(STANDING, NOWHERE);
+  private final ClearanceMargin margin;
   private @Nullable Senses senses;
   private @Nullable Recovery recovery;
   private int recoveries;
@@ -66,6 +75,7 @@ final class LegPursuit implements Pursuit {
     this.leg = leg;
     this.tolerance = tolerance;
     this.began = means.nanos().getAsLong();
+    this.margin = new ClearanceMargin(means.peerSpeed());
     this.limit = limit;
   }
 
@@ -87,8 +97,9 @@ final class LegPursuit implements Pursuit {
       return Progress.reached(
           String.format(Locale.ROOT, "it is there, %.2f m off", heading.distance()));
     }
-    Clearance room = by.room().clearance();
+    Clearance measured = by.room().clearance();
     long now = means.nanos().getAsLong();
+    Clearance room = margin.reduced(measured, means.clock().instant(), now);
     if (recovery != null && recovery.isOver(now)) {
       recovery = null;
       watch.reset();
@@ -104,7 +115,9 @@ final class LegPursuit implements Pursuit {
       }
       recovery = new Recovery(now, recoveries++);
     }
-    means.wheels().turn(velocity(by.rules(), now, room, heading));
+    Velocity wanted = velocity(by.rules(), now, room, heading);
+    margin.commanded(wanted, now);
+    means.wheels().turn(wanted);
     share = done(heading);
     return Progress.going(doing(heading), share);
   }
@@ -168,5 +181,6 @@ final class LegPursuit implements Pursuit {
     senses = null;
     recovery = null;
     watch.reset();
+    margin.reset();
   }
 }

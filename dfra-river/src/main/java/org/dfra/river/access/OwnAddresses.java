@@ -48,6 +48,14 @@ public final class OwnAddresses {
     return new OwnAddresses(address.isLoopbackAddress() ? address : null);
   }
 
+  /**
+   * Whether an address is one of them wherever on this computer the robot is exported: that of an
+   * interface, or the loopback's default. Nothing is looked up.
+   */
+  public static boolean alwaysContain(InetAddress address) {
+    return address.isLoopbackAddress() ? isDefault(address) : isOfAnInterface(address);
+  }
+
   /** Whether an address is one of them. Interfaces are read anew each time: addresses change. */
   public boolean contain(InetAddress address) {
     if (!address.isLoopbackAddress()) {

@@ -1,9 +1,6 @@
 package org.dfra.river.callback;
 
 import java.net.InetAddress;
-import java.net.UnknownHostException;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import org.dfra.river.access.Caller;
 import org.dfra.river.access.OwnAddresses;
 import org.jspecify.annotations.Nullable;
@@ -20,8 +17,7 @@ public record ClientAddress(String host, boolean isOwn) {
 
   private static final String LOOPBACK = "127.0.0.1";
 
-  /** By the server's host: this virtual machine serves at a few. */
-  private static final Map<String, OwnAddresses> OWN = new ConcurrentHashMap<>();
+  private static final ResolvedHosts HOSTS = ResolvedHosts.ofSystem();
 
   /**
    * Where the call under way on this thread came from. A caller in this virtual machine is on this
@@ -50,16 +46,12 @@ public record ClientAddress(String host, boolean isOwn) {
     return new ClientAddress(caller.toString(), address != null && isOwn(address, server));
   }
 
+  /** Looks nothing up: it runs while a call is dispatched, and often under a lock. */
   private static boolean isOwn(InetAddress address, String server) {
-    @Nullable OwnAddresses own = OWN.get(server);
-    if (own == null) {
-      try {
-        own = OwnAddresses.exportedAt(server);
-      } catch (UnknownHostException e) { // until it is known, the smaller bounds hold
-        return false;
-      }
-      OWN.put(server, own);
+    if (OwnAddresses.alwaysContain(address)) {
+      return true;
     }
-    return own.contain(address);
+    return address.isLoopbackAddress() // until the server's is known, the smaller bounds hold
+        && HOSTS.of(server).map(own -> own.contain(address)).orElse(false);
   }
 }

@@ -5,8 +5,11 @@ import java.net.DatagramPacket;
 import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import net.jini.discovery.Constants;
 import org.jspecify.annotations.Nullable;
@@ -14,7 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Receives the datagrams in which lookup services announce themselves.
+ * Receives the datagrams in which lookup services announce themselves. Where its socket fails, as
+ * when an interface is taken away, it opens another and joins again, paced by {@link
+ * ReopenBackoff}; it ends only when it is closed.
  *
  * <p>Threads: one daemon, {@code dfra-discovery-announcements}, from {@link #start} to {@link
  * #close}.
@@ -23,10 +28,19 @@ final class AnnouncementListener implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(AnnouncementListener.class);
 
+  /** Opens the socket, which has joined no multicast group yet. */
+  @FunctionalInterface
+  interface Opening {
+    MulticastSocket open() throws IOException;
+  }
+
   private final MulticastSettings settings;
   private final Consumer<DatagramPacket> received;
-  private final MulticastSocket socket;
-  private List<@Nullable NetworkInterface> failed; // by the thread that joins
+  private final Opening opening;
+  private final ReopenBackoff backoff = new ReopenBackoff();
+  private MulticastSocket socket; // guarded by this
+  private List<@Nullable NetworkInterface> failed; // guarded by this
+  private final Set<@Nullable NetworkInterface> reported = new HashSet<>(); // guarded by this
 
   /**
    * Joins the announcements' multicast group on every interface.
@@ -36,27 +50,52 @@ final class AnnouncementListener implements AutoCloseable {
    */
   AnnouncementListener(MulticastSettings settings, Consumer<DatagramPacket> received)
       throws IOException {
+    this(settings, received, () -> new MulticastSocket(Constants.discoveryPort));
+  }
+
+  /**
+   * The same with sockets of another kind, for tests.
+   *
+   * @throws IOException if the first cannot be opened
+   */
+  AnnouncementListener(
+      MulticastSettings settings, Consumer<DatagramPacket> received, Opening opening)
+      throws IOException {
     this.settings = settings;
     this.received = received;
-    this.socket = new MulticastSocket(Constants.discoveryPort);
+    this.opening = opening;
+    this.socket = opening.open();
     this.failed = settings.interfaces();
     join();
   }
 
-  /** Joins where it failed before. One thread at a time. */
-  void join() {
+  /** Joins where it failed before. */
+  synchronized void join() {
     List<@Nullable NetworkInterface> still = new ArrayList<>();
     for (NetworkInterface each : failed) {
       try {
         socket.joinGroup(
             new InetSocketAddress(Constants.getAnnouncementAddress(), Constants.discoveryPort),
-            each);
+            current(each));
+        reported.remove(each);
       } catch (IOException e) {
         still.add(each);
-        report(settings, each, e);
+        if (reported.add(each)) {
+          report(settings, each, e);
+        }
       }
     }
     failed = still;
+  }
+
+  /** An interface that was taken away and came back has another number under the same name. */
+  private static @Nullable NetworkInterface current(@Nullable NetworkInterface which)
+      throws SocketException {
+    if (which == null) {
+      return null;
+    }
+    NetworkInterface now = NetworkInterface.getByName(which.getName());
+    return now == null ? which : now;
   }
 
   /** An interface that was configured should work; of all the others some never do. */
@@ -80,25 +119,62 @@ final class AnnouncementListener implements AutoCloseable {
   }
 
   private void run() {
-    while (!socket.isClosed()) {
+    while (!backoff.isClosed()) {
       DatagramPacket packet =
           new DatagramPacket(new byte[settings.packetBytes()], settings.packetBytes());
       try {
-        socket.receive(packet);
+        socket().receive(packet);
+        if (backoff.succeeded()) {
+          LOG.info("Lookup services' announcements are received again.");
+        }
         received.accept(packet);
       } catch (RuntimeException e) { // a stranger's datagram must not end this thread
         LOG.debug("An announcement could not be handled.", e);
       } catch (IOException e) {
-        if (!socket.isClosed()) {
-          LOG.warn("Lookup services' announcements are received no more.", e);
-          close();
-        }
+        failed(e);
       }
+    }
+  }
+
+  private synchronized MulticastSocket socket() {
+    return socket;
+  }
+
+  private void failed(IOException e) {
+    if (backoff.failed() && !backoff.isClosed()) {
+      LOG.warn(
+          "Lookup services' announcements cannot be received now; their port {} is opened again"
+              + " until they can.",
+          Constants.discoveryPort,
+          e);
+    }
+    if (backoff.await()) {
+      reopen();
+    }
+  }
+
+  /** Where that fails the old socket, which is closed, makes the next attempt follow. */
+  private synchronized void reopen() {
+    socket.close();
+    try {
+      socket = opening.open();
+    } catch (IOException e) {
+      LOG.debug("Port {} cannot be opened yet.", Constants.discoveryPort, e);
+      return;
+    }
+    if (backoff.isClosed()) {
+      socket.close();
+    } else {
+      failed = settings.interfaces();
+      join();
     }
   }
 
   @Override
   public void close() {
-    socket.close();
+    backoff.close();
+    synchronized (this) {
+      socket.close();
+    }
   }
 }

@@ -11,6 +11,13 @@ import java.util.concurrent.atomic.AtomicInteger;
 record DiscoveryThreads(
     ScheduledThreadPoolExecutor timer, ThreadPoolExecutor probes, ThreadPoolExecutor checks) {
 
+  /**
+   * Most checks at once: with one, a lookup service that stalls would keep all others from being
+   * checked. Those that are due at the same time begin in the order in which the lookup services
+   * were found: those known longest first.
+   */
+  static final int CHECKS = AnnouncedHosts.PROBES;
+
   private static final long IDLE_SECONDS = 10;
 
   static DiscoveryThreads begin() {
@@ -20,7 +27,7 @@ record DiscoveryThreads(
     return new DiscoveryThreads(
         timer,
         pool(AnnouncedHosts.PROBES, named("dfra-discovery-probe")),
-        pool(1, named("dfra-discovery-check")));
+        pool(CHECKS, named("dfra-discovery-check")));
   }
 
   private static ThreadFactory named(String name) {

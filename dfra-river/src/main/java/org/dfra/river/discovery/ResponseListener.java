@@ -15,6 +15,9 @@ import org.slf4j.LoggerFactory;
  * connections wait to be asked, at most {@value #PER_ADDRESS} of one address; a further one is
  * closed, and its lookup service is found by its next announcement.
  *
+ * <p>Where its socket fails it opens another, paced by {@link ReopenBackoff}: at the same port,
+ * since requests have named it, and at another where that is taken. It ends only when it is closed.
+ *
  * <p>Threads: one daemon, {@code dfra-discovery-responses}, from construction to {@link #close}.
  */
 final class ResponseListener implements AutoCloseable {
@@ -24,9 +27,18 @@ final class ResponseListener implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ResponseListener.class);
 
-  private final ServerSocket server;
+  /** Opens a socket that listens at a TCP port, or at one of the system's choice where it is 0. */
+  @FunctionalInterface
+  interface Opening {
+    ServerSocket open(int port) throws IOException;
+  }
+
+  private final Opening opening;
   private final Runnable responded;
+  private final ReopenBackoff backoff = new ReopenBackoff();
   private final Deque<Socket> waiting = new ArrayDeque<>(); // guarded by itself
+  private ServerSocket server; // guarded by this
+  private int port; // guarded by this
 
   /**
    * Listens from now on.
@@ -35,16 +47,27 @@ final class ResponseListener implements AutoCloseable {
    * @throws IOException if there is no port
    */
   ResponseListener(Runnable responded) throws IOException {
+    this(responded, ServerSocket::new);
+  }
+
+  /**
+   * The same with sockets of another kind, for tests.
+   *
+   * @throws IOException if the first cannot be opened
+   */
+  ResponseListener(Runnable responded, Opening opening) throws IOException {
     this.responded = responded;
-    this.server = new ServerSocket(0);
+    this.opening = opening;
+    this.server = opening.open(0);
+    this.port = server.getLocalPort();
     Thread thread = new Thread(this::accept, "dfra-discovery-responses");
     thread.setDaemon(true);
     thread.start();
   }
 
   /** The TCP port. */
-  int port() {
-    return server.getLocalPort();
+  synchronized int port() {
+    return port;
   }
 
   /** The connection that has waited longest; the caller closes it. */
@@ -55,20 +78,31 @@ final class ResponseListener implements AutoCloseable {
   }
 
   private void accept() {
-    while (!server.isClosed()) {
+    while (!backoff.isClosed()) {
       try {
-        Socket socket = server.accept();
-        if (add(socket)) {
-          responded.run();
-        } else {
-          socket.close();
-        }
+        take(server().accept());
       } catch (IOException e) {
-        if (!server.isClosed()) {
-          LOG.warn("Answers to multicast requests are received no more on port {}.", port(), e);
-          close();
-        }
+        failed(e);
       }
+    }
+  }
+
+  private synchronized ServerSocket server() {
+    return server;
+  }
+
+  private void take(Socket socket) {
+    if (backoff.succeeded()) {
+      LOG.info("Answers to multicast requests are received again on port {}.", port());
+    }
+    try {
+      if (add(socket)) {
+        responded.run();
+      } else {
+        socket.close();
+      }
+    } catch (IOException | RuntimeException e) { // of this connection, not of the port
+      LOG.debug("An answer to a multicast request could not be handled.", e);
     }
   }
 
@@ -76,17 +110,56 @@ final class ResponseListener implements AutoCloseable {
     InetAddress from = socket.getInetAddress();
     synchronized (waiting) {
       long same = waiting.stream().filter(each -> from.equals(each.getInetAddress())).count();
-      if (server.isClosed() || same >= PER_ADDRESS || waiting.size() >= WAITING) {
+      if (backoff.isClosed() || same >= PER_ADDRESS || waiting.size() >= WAITING) {
         return false;
       }
       return waiting.add(socket);
     }
   }
 
-  @Override
-  public void close() {
+  private void failed(IOException e) {
+    if (backoff.failed() && !backoff.isClosed()) {
+      LOG.warn(
+          "Answers to multicast requests cannot be received now on port {}; it is opened again"
+              + " until they can.",
+          port(),
+          e);
+    }
+    if (backoff.await()) {
+      reopen();
+    }
+  }
+
+  /** Where that fails the old socket, which is closed, makes the next attempt follow. */
+  private synchronized void reopen() {
     try {
       server.close();
+      server = open();
+      port = server.getLocalPort();
+      if (backoff.isClosed()) {
+        server.close();
+      }
+    } catch (IOException e) {
+      LOG.debug("Port {} cannot be opened yet.", port, e);
+    }
+  }
+
+  private ServerSocket open() throws IOException {
+    try {
+      return opening.open(port());
+    } catch (IOException e) {
+      LOG.debug("Port {} is taken; another is opened.", port(), e);
+      return opening.open(0);
+    }
+  }
+
+  @Override
+  public void close() {
+    backoff.close();
+    try {
+      synchronized (this) {
+        server.close();
+      }
       for (Optional<Socket> each = next(); each.isPresent(); each = next()) {
         each.get().close();
       }

@@ -65,7 +65,10 @@ class PeerQuotaTest {
     assertThat(ClientAddress.of("localhost", "127.8.8.8"))
         .as("names are not looked up")
         .isEqualTo(new ClientAddress("an unknown address", false));
-    assertThat(ClientAddress.of("127.0.0.1", "[no host").isOwn()).isFalse();
+    assertThat(ClientAddress.of("127.0.0.1", "[no host").isOwn())
+        .as("nobody else calls from there, whatever the server's name stands for")
+        .isTrue();
+    assertThat(ClientAddress.of("127.0.0.2", "[no host").isOwn()).isFalse();
   }
 
   @Test

@@ -15,7 +15,9 @@ import org.jspecify.annotations.Nullable;
  * last scans, each moved to where the robot is now. Confined to one thread.
  *
  * <p>An older scan is turned by how far the robot has turned since, to the nearest beam, and its
- * ranges are shortened by how far the robot has come along each beam.
+ * ranges are shortened by how far the robot has come along each beam. How far something else has
+ * come by itself is not known: of what comes nearer the median is as old as the scan in the middle,
+ * see {@link #lag}.
  */
 final class GhostFilter {
 
@@ -36,6 +38,7 @@ final class GhostFilter {
   private final Duration spacing;
   private final Deque<Past> past = new ArrayDeque<>(); // the newest first
   private @Nullable Odometry odometry;
+  private double lag; // seconds
 
   /**
    * @param depth scans that the median is of
@@ -79,6 +82,7 @@ final class GhostFilter {
     @Nullable Odometry at = odometry;
     Past now = at == null ? new Past(scan, 0, 0, 0) : new Past(scan, at.x(), at.y(), at.yaw());
     forgetOthers(now);
+    lag = lag(now);
     float[] median = null;
     if (past.size() + 1 > depth / 2) {
       median = median(now);
@@ -91,6 +95,28 @@ final class GhostFilter {
       }
     }
     return Optional.ofNullable(median);
+  }
+
+  /**
+   * By how much the scan that decides about what comes nearer by itself is older than the newest
+   * one, seconds: that in the middle of the last scans, since the newer half shows it nearer and
+   * the older half farther away. It grows where scans come late or are lost.
+   */
+  double lag() {
+    return lag;
+  }
+
+  private double lag(Past now) {
+    Past deciding = now;
+    int older = past.size() / 2; // how many scans back the one in the middle is
+    for (Past each : past) {
+      if (older == 0) {
+        break;
+      }
+      deciding = each;
+      older--;
+    }
+    return Duration.between(deciding.scan().measured(), now.scan().measured()).toNanos() / 1e9;
   }
 
   /** Scans of another shape, from the future, or too old to say anything. */

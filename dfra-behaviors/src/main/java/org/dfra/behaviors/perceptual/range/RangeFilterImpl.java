@@ -20,6 +20,11 @@ import org.jspecify.annotations.Nullable;
  * Tells the room around its robot from the robot's range sensor; see {@link GhostFilter}, {@link
  * Surrounds} and {@link Passed}. The sensor stands where its persona says, on the robot's base.
  *
+ * <p>The median of the last scans shows another robot where it was at the scan in the middle. The
+ * distances that motor schemas keep allow for that while scans come in time. Where they come late,
+ * as on a busy computer, everything counts as nearer by what another robot can come in the
+ * {@linkplain GhostFilter#lag time} beyond that, up to 1 s.
+ *
  * <p>Parameters, read at the start:
  *
  * <ul>
@@ -27,6 +32,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code scan_spacing}: seconds from one of them to the next at least, 0 to 1; default 0.09
  *   <li>{@code memory}: seconds that it remembers what it has passed and does not see any more, 0
  *       to 120; default 3
+ *   <li>{@code peer_speed}: metres per second, the highest of other robots, 0 to 10; default 0.7
  *   <li>{@code reach}: metres, what is farther does not count, 1 to 100; default 8
  *   <li>{@code body_length}, {@code body_width}: of the robot, metres, 0.1 to 10; default those of
  *       an ATRV-Jr
@@ -40,11 +46,18 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
   private static final double LENGTH = 0.78;
   private static final double WIDTH = 0.64;
 
+  /** What scans may be late without any effect, seconds. */
+  private static final double USUAL_LAG = 0.1;
+
+  private static final double MOST_LAG = 1; // seconds beyond the usual that count
+
   private final Surrounds surrounds;
   private final GhostFilter filter; // guarded by itself
   private final Passed passed; // guarded by filter
   private @Nullable Odometry odometry; // guarded by filter
   private final String base;
+  private final double peerSpeed;
+  private final double usualLag; // seconds
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public RangeFilterImpl(ModuleContext context) {
@@ -59,6 +72,9 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     int scans = (int) settings().number("scans", 5, 1, 15);
     double spacing = settings().number("scan_spacing", 0.09, 0, 1);
     this.filter = new GhostFilter(scans, Duration.ofNanos(Math.round(spacing * 1e9)));
+    int middle = scans / 2;
+    this.usualLag = middle * spacing + USUAL_LAG;
+    this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
     this.passed =
         new Passed(
             settings()
@@ -90,8 +106,10 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
       if (ranges.isEmpty() || !Surrounds.suffices(ranges.get())) {
         return;
       }
-      clearance =
+      Clearance seen =
           surrounds.clearance(scan, ranges.get(), mount, beside(scan, ranges.get(), mount), base);
+      double late = Math.max(0, Math.min(MOST_LAG, filter.lag() - usualLag));
+      clearance = late > 0 ? surrounds.nearer(seen, peerSpeed * late) : seen;
     }
     perceive(clearance);
   }

@@ -91,6 +91,25 @@ record Surrounds(double halfLength, double halfWidth, double reach) {
     return new Clearance(scan.measured(), frame, left, centre, right);
   }
 
+  /**
+   * The same where things may have come nearer by themselves. Where nothing is within the reach,
+   * nothing comes.
+   *
+   * @param by how far, metres
+   */
+  Clearance nearer(Clearance seen, double by) {
+    return new Clearance(
+        seen.measured(),
+        seen.frame(),
+        nearer(seen.left(), by),
+        nearer(seen.centre(), by),
+        nearer(seen.right(), by));
+  }
+
+  private double nearer(double room, double by) {
+    return room >= reach ? room : Math.max(0, room - by);
+  }
+
   /** From a point to the body, metres. */
   private double gap(double x, double y) {
     return Math.hypot(Math.max(0, Math.abs(x) - halfLength), Math.max(0, Math.abs(y) - halfWidth));

@@ -167,6 +167,21 @@ class GhostFilterTest {
   }
 
   @Test
+  void saysHowOldTheScanIsThatDecidesAboutWhatComesNearer() {
+    for (int i = 0; i < 5; i++) {
+      filter.take(scan(i * 0.1, all(8 - i)));
+    }
+    assertThat(filter.lag()).isCloseTo(0.2, within(1e-9));
+    float[] seen = filter.take(scan(0.9, all(1))).orElseThrow(); // 0.4 s passed without a scan
+    assertThat(seen[90]).as("that of 0.3 s").isEqualTo(5);
+    assertThat(filter.lag()).isCloseTo(0.6, within(1e-9));
+    GhostFilter none = new GhostFilter(1, Duration.ofMillis(90));
+    none.take(scan(0, all(8)));
+    none.take(scan(0.5, all(7)));
+    assertThat(none.lag()).as("it filters nothing").isZero();
+  }
+
+  @Test
   void ofOneScanItFiltersNothing() {
     GhostFilter none = new GhostFilter(1, Duration.ofMillis(90));
     assertThat(none.take(scan(0, with(8, 90, 1))).orElseThrow()[90]).isEqualTo(1);

@@ -38,6 +38,14 @@ class SurroundsTest {
   }
 
   @Test
+  void whatMayHaveComeNearerCountsAsNearerWhereSomethingIsSeen() {
+    Clearance seen = new Clearance(Instant.EPOCH, "base_link", 0.2, 2, 8);
+    assertThat(SURROUNDS.nearer(seen, 0.5))
+        .as("nothing is seen to the right")
+        .isEqualTo(new Clearance(Instant.EPOCH, "base_link", 0, 1.5, 8));
+  }
+
+  @Test
   void aheadCountsFromTheBumper() {
     Clearance seen = point(2.4, 0);
     assertThat(seen.centre()).isCloseTo(2, NEAR);

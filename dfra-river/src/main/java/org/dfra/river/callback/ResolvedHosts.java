@@ -1,0 +1,142 @@
+package org.dfra.river.callback;
+
+import java.lang.System.Logger.Level;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.dfra.river.access.Caller;
+import org.dfra.river.access.OwnAddresses;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the hosts that servers are exported at stand for, as far as it is known: a name is looked up
+ * on a thread of its own and never on the thread that asks, which dispatches a call and may hold a
+ * lock. A name server that does not answer would hold up every client there.
+ *
+ * <pre>
+ *   not known --look-up--&gt; known, looked up again after {@link #KNOWN_FOR}
+ *       '------ fails ------&gt; as before, looked up again after {@link #UNKNOWN_FOR}
+ * </pre>
+ *
+ * <p>An address in digits needs no look-up. What was found counts until another answer comes.
+ *
+ * <p>Thread-safe. Threads: one daemon, {@code dfra-own-hosts}, while there is a look-up.
+ */
+final class ResolvedHosts {
+
+  /** Looks a host up; may wait for the network. */
+  @FunctionalInterface
+  interface Resolver {
+    OwnAddresses resolve(String host) throws UnknownHostException;
+  }
+
+  static final Duration KNOWN_FOR = Duration.ofMinutes(1);
+  static final Duration UNKNOWN_FOR = Duration.ofSeconds(5);
+
+  private static final System.Logger LOG = System.getLogger(ResolvedHosts.class.getName());
+
+  private static final long IDLE_SECONDS = 10;
+
+  private static final class Entry {
+    @Nullable OwnAddresses own; // guarded by the hosts, as the following
+    long dueAt; // nanoseconds
+    boolean isUnderWay;
+
+    Entry(long dueAt) {
+      this.dueAt = dueAt;
+    }
+  }
+
+  private final Resolver resolver;
+  private final LongSupplier nanos;
+  private final Executor executor;
+  private final Map<String, Entry> entries = new HashMap<>(); // guarded by this
+
+  /**
+   * @param nanos monotonic time
+   * @param executor where look-ups wait
+   */
+  ResolvedHosts(Resolver resolver, LongSupplier nanos, Executor executor) {
+    this.resolver = resolver;
+    this.nanos = nanos;
+    this.executor = executor;
+  }
+
+  /** By this computer's resolver. */
+  static ResolvedHosts ofSystem() {
+    ThreadPoolExecutor thread =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            task -> {
+              Thread made = new Thread(task, "dfra-own-hosts");
+              made.setDaemon(true);
+              made.setContextClassLoader(ResolvedHosts.class.getClassLoader()); // not a client's
+              return made;
+            });
+    thread.allowCoreThreadTimeOut(true);
+    return new ResolvedHosts(OwnAddresses::exportedAt, System::nanoTime, thread);
+  }
+
+  /**
+   * From where this computer calls a server; returns at once.
+   *
+   * @param host address or name that the server's proxies carry; one of a few
+   * @return empty while the name is not known
+   */
+  Optional<OwnAddresses> of(String host) {
+    if (Caller.at(host).address() != null) {
+      return ofDigits(host);
+    }
+    Entry entry;
+    synchronized (this) {
+      long now = nanos.getAsLong();
+      entry = entries.computeIfAbsent(host, unused -> new Entry(now));
+      if (entry.isUnderWay || now - entry.dueAt < 0) {
+        return Optional.ofNullable(entry.own);
+      }
+      entry.isUnderWay = true;
+    }
+    executor.execute(() -> lookUp(host, entry));
+    synchronized (this) {
+      return Optional.ofNullable(entry.own);
+    }
+  }
+
+  private static Optional<OwnAddresses> ofDigits(String host) {
+    try {
+      return Optional.of(OwnAddresses.exportedAt(host));
+    } catch (UnknownHostException e) { // digits that are no address
+      return Optional.empty();
+    }
+  }
+
+  private void lookUp(String host, Entry entry) {
+    @Nullable OwnAddresses found = null;
+    try {
+      found = resolver.resolve(host);
+    } catch (UnknownHostException e) {
+      LOG.log(Level.DEBUG, "The address of " + host + " is not known now.", e);
+    } finally {
+      note(entry, found);
+    }
+  }
+
+  private synchronized void note(Entry entry, @Nullable OwnAddresses found) {
+    entry.isUnderWay = false;
+    if (found != null) {
+      entry.own = found;
+    }
+    entry.dueAt = nanos.getAsLong() + (found == null ? UNKNOWN_FOR : KNOWN_FOR).toNanos();
+  }
+}
