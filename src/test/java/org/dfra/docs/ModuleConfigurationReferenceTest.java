@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import net.jini.config.Configuration;
 import net.jini.config.NoSuchEntryException;
 import net.jini.core.entry.Entry;
-import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.core.lease.LeaseTerms;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.Join;
@@ -117,10 +117,10 @@ class ModuleConfigurationReferenceTest {
     MulticastSearch.Listener nobody =
         new MulticastSearch.Listener() {
           @Override
-          public void found(ServiceRegistrar registrar) {}
+          public void found(LocatedRegistrar registrar) {}
 
           @Override
-          public void lost(ServiceRegistrar registrar) {}
+          public void lost(LocatedRegistrar registrar) {}
         };
     new MulticastSearch(new String[0], recorder, nobody).close(); // as with groups
     return recorder.asked;

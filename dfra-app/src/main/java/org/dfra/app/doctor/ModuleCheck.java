@@ -5,9 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.app.team.Unready;
 import org.dfra.module.Readiness;
+import org.dfra.river.lookup.ModuleConflict;
 import org.dfra.river.lookup.UnreadableModule;
 
-/** Which modules cannot be used: they are not ready, or their classes are refused here. */
+/**
+ * Which modules cannot be used: they are not ready, or their classes are refused here. And which
+ * are listed differently by several lookup services.
+ */
 final class ModuleCheck implements Check {
 
   /**
@@ -15,8 +19,10 @@ final class ModuleCheck implements Check {
    *
    * @param unready those that do not serve
    * @param unreadable those whose proxies cannot be read here
+   * @param conflicts those that several lookup services list differently
    */
-  record Unusable(List<Unready> unready, List<UnreadableModule> unreadable) {}
+  record Unusable(
+      List<Unready> unready, List<UnreadableModule> unreadable, List<ModuleConflict> conflicts) {}
 
   /** Looks for them. */
   interface Modules {
@@ -51,6 +57,10 @@ final class ModuleCheck implements Check {
               Reason.mend(
                   each.reason(),
                   "Trust its robot's classes; docs/reference/trusted-code.md says how.")));
+    }
+    for (ModuleConflict each : unusable.conflicts()) {
+      String reason = each.inWords();
+      findings.add(Finding.warn(subject(), Reason.what(reason), Reason.mend(reason, "")));
     }
     return findings;
   }

@@ -94,8 +94,8 @@ final class TeamSurvey
     }
     List<Seen> seen = new ArrayList<>();
     for (Map.Entry<ServiceRegistrar, Future<Seen>> each : asked.entrySet()) {
-      String id = each.getKey().getServiceID().toString();
-      seen.add(answer(each.getValue()).orElseGet(() -> new Seen(id, List.of(), false, null)));
+      String name = each.getKey().toString();
+      seen.add(answer(each.getValue()).orElseGet(() -> new Seen(name, List.of(), false, null)));
     }
     return new Survey(seen, silent);
   }
@@ -116,7 +116,8 @@ final class TeamSurvey
     directory.awaitFirstLook(patience);
     return new ModuleCheck.Unusable(
         Unready.among(directory.find(ModuleQuery.of(Module.class)), deadline),
-        directory.unreadable());
+        directory.unreadable(),
+        directory.conflicts());
   }
 
   @Override

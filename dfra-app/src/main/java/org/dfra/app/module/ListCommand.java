@@ -60,6 +60,7 @@ final class ListCommand implements Callable<Integer> {
               .toList();
       ModuleTable.show(options.answer(), modules, nothing());
       team.remarkNamesakes();
+      team.remarkConflicts();
       return ExitCode.WELL;
     }
   }

@@ -165,6 +165,11 @@ public final class Team implements AutoCloseable {
                         + "@HOST/MODULE"));
   }
 
+  /** Says on the side which modules are listed differently by several lookup services. */
+  public void remarkConflicts() {
+    directory.conflicts().forEach(each -> answer.remark(each.inWords()));
+  }
+
   private void refuseUnreadableUnlessFound(ModuleName name) {
     if (name.at(directory.find(name.query())).isEmpty()) {
       refuseUnreadable(name);

@@ -22,6 +22,7 @@ import org.dfra.app.team.Unready;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
 import org.dfra.persona.StopAttributes;
+import org.dfra.river.lookup.ModuleConflict;
 import org.dfra.river.lookup.UnreadableModule;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
@@ -199,7 +200,13 @@ class TeamChecksTest {
                             "lidar",
                             "192.0.2.7",
                             id.toString(),
-                            "codebase c refused: it is not pinned; pin the digest"))));
+                            "codebase c refused: it is not pinned; pin the digest")),
+                    List.of(
+                        new ModuleConflict(
+                            "atrv1/drive",
+                            id.toString(),
+                            "192.0.2.1:4160",
+                            List.of("192.0.2.66:4160")))));
     assertThat(check.examine())
         .containsExactly(
             Finding.warn(
@@ -211,7 +218,12 @@ class TeamChecksTest {
             Finding.warn(
                 Subject.MODULE,
                 "atrv2/lidar cannot be used here: codebase c refused: it is not pinned",
-                "Pin the digest."));
+                "Pin the digest."),
+            Finding.warn(
+                Subject.MODULE,
+                "atrv1/drive is listed differently by the lookup services at 192.0.2.1:4160, which"
+                    + " counts here, and 192.0.2.66:4160",
+                "If it was not restarted just now, find out whose those lookup services are."));
   }
 
   /** A module's proxy that answers one question of its administration. */

@@ -19,10 +19,13 @@ import org.jspecify.annotations.Nullable;
  * rarely, and one that once answered goes first.
  *
  * <pre>
- *   announced --&gt; waiting --next()--&gt; asked --succeeded()--&gt; answered --lost()--&gt; waiting
+ *   announced --&gt; waiting --next()--&gt; asked --succeeded()--&gt; held --lost()--&gt; waiting
  *                    ^                  |
  *                    +---- failed() ----+   waits 1, 2, 4 ... 30 s; forgotten after 5 in a row
  * </pre>
+ *
+ * <p>A place is held while the search holds what answered there. What is announced elsewhere with
+ * the same service ID is asked all the same: the service ID may be a copy.
  *
  * <p>Order: a place that answered before; then one announced from its own address, which costs a
  * liar an address; then the others. Among equals the one that failed least, then the oldest. A host
@@ -56,7 +59,8 @@ final class AnnouncedHosts {
 
   private static final class Candidate {
     final Place place;
-    ServiceID id; // as announced; once it answered, as it is
+    ServiceID id; // as announced; once it answered, as it claims
+    @Nullable LocatedRegistrar held; // what answered here, while the search holds it
     boolean isDirect;
     boolean isKnown;
     boolean isAsked;
@@ -78,7 +82,6 @@ final class AnnouncedHosts {
 
   private final LongSupplier nanos;
   private final Map<Place, Candidate> candidates = new LinkedHashMap<>(); // guarded by this
-  private final Set<ServiceID> held = new HashSet<>(); // guarded by this
   private final long origin; // times are differences from it, so that they compare
 
   /**
@@ -136,7 +139,7 @@ final class AnnouncedHosts {
   private boolean forgetWorst(List<Candidate> of, Candidate wanted) {
     Optional<Candidate> worst =
         of.stream()
-            .filter(each -> !each.isAsked && !held.contains(each.id))
+            .filter(AnnouncedHosts::isWaiting)
             .filter(each -> each.rank() >= wanted.rank())
             .max(
                 Comparator.comparingInt(Candidate::rank)
@@ -180,8 +183,8 @@ final class AnnouncedHosts {
     return next.map(each -> each.place);
   }
 
-  private boolean isWaiting(Candidate candidate) {
-    return !candidate.isAsked && !held.contains(candidate.id);
+  private static boolean isWaiting(Candidate candidate) {
+    return !candidate.isAsked && candidate.held == null;
   }
 
   /** How long until a place that waits is due, in nanoseconds; none where nothing waits. */
@@ -196,13 +199,16 @@ final class AnnouncedHosts {
     return Optional.ofNullable(least);
   }
 
-  /** A place answered: this lookup service is there. */
-  synchronized void succeeded(Place place, ServiceID id) {
+  /**
+   * A place answered: this lookup service is there. The place is not asked again until it is lost.
+   */
+  synchronized void succeeded(Place place, LocatedRegistrar registrar) {
     Candidate candidate = candidates.get(place);
     if (candidate != null) {
       candidate.isAsked = false;
       candidate.isKnown = true;
-      candidate.id = id;
+      candidate.id = registrar.getServiceID();
+      candidate.held = registrar;
       candidate.failures = 0;
       candidate.dueAt = now() + SHORTEST_WAIT.toNanos();
     }
@@ -228,16 +234,26 @@ final class AnnouncedHosts {
     candidate.dueAt = now() + Math.min(wait, LONGEST_WAIT.toNanos());
   }
 
-  /** A lookup service was found, here or by its answer to a request: it is not asked for. */
-  synchronized void found(ServiceID id) {
-    held.add(id);
+  /** A place could not be asked for lack of a thread. It is asked later; that is no failure. */
+  synchronized void postponed(Place place) {
+    Candidate candidate = candidates.get(place);
+    if (candidate != null) {
+      candidate.isAsked = false;
+      candidate.dueAt = now() + SHORTEST_WAIT.toNanos();
+    }
   }
 
-  /** A lookup service is not held any more: it is asked for again, where it was and elsewhere. */
-  synchronized void lost(ServiceID id) {
-    held.remove(id);
+  /**
+   * A lookup service is not held any more: it is asked for again, where it was and where one with
+   * its service ID was announced.
+   */
+  synchronized void lost(LocatedRegistrar registrar) {
     for (Candidate each : candidates.values()) {
-      if (each.id.equals(id)) {
+      boolean wasHere = registrar.equals(each.held);
+      if (wasHere) {
+        each.held = null;
+      }
+      if (wasHere || (each.held == null && each.id.equals(registrar.getServiceID()))) {
         each.failures = 0;
         each.dueAt = now() + SHORTEST_WAIT.toNanos();
       }

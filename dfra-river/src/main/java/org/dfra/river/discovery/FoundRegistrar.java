@@ -1,18 +1,17 @@
 package org.dfra.river.discovery;
 
 import java.util.Collection;
-import net.jini.core.lookup.ServiceRegistrar;
 
 /** A lookup service that a {@link MulticastSearch} has found, whose lock guards what changes. */
 final class FoundRegistrar {
 
-  final ServiceRegistrar registrar;
+  final LocatedRegistrar registrar;
   final String host;
   Collection<String> groups; // guarded by the search, as the following
   long seenAt; // nanoseconds of the system, as the following
   long checkedAt;
 
-  FoundRegistrar(ServiceRegistrar registrar, String host, Collection<String> groups, long now) {
+  FoundRegistrar(LocatedRegistrar registrar, String host, Collection<String> groups, long now) {
     this.registrar = registrar;
     this.host = host;
     this.groups = groups;

@@ -8,9 +8,7 @@ import java.net.Socket;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Collection;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Future;
@@ -18,7 +16,6 @@ import java.util.concurrent.TimeUnit;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.river.discovery.AnnouncedHosts.Place;
 import org.dfra.river.discovery.UnicastDiscovery.Answer;
 import org.jspecify.annotations.Nullable;
@@ -30,6 +27,9 @@ import org.slf4j.LoggerFactory;
  * {@code LookupDiscovery}, whose configuration entries it takes, and which a hundred false
  * announcements a second delay by seconds: whom to ask, and how many at once, is up to {@link
  * AnnouncedHosts}, and {@link UnicastDiscovery} reads the answers.
+ *
+ * <p>A lookup service is known by its proxy and not by its service ID alone, which anybody may
+ * copy: those that claim one service ID are all found, see {@link LocatedRegistrar}.
  *
  * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
  * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; one {@code
@@ -43,10 +43,10 @@ public final class MulticastSearch implements AutoCloseable {
   public interface Listener {
 
     /** A lookup service was found. */
-    void found(ServiceRegistrar registrar);
+    void found(LocatedRegistrar registrar);
 
     /** A lookup service does not answer any more, or left the groups. Not after a discard. */
-    void lost(ServiceRegistrar registrar);
+    void lost(LocatedRegistrar registrar);
   }
 
   private static final Logger LOG = LoggerFactory.getLogger(MulticastSearch.class);
@@ -69,8 +69,8 @@ public final class MulticastSearch implements AutoCloseable {
   private final MulticastSettings settings;
   private final Listener listener;
   private final AnnouncedHosts hosts = new AnnouncedHosts(System::nanoTime);
-  private final Map<ServiceID, FoundRegistrar> found = new LinkedHashMap<>(); // guarded by this
-  private final DiscoveryThreads threads = DiscoveryThreads.begin();
+  private final FoundRegistrars found = new FoundRegistrars(); // guarded by this
+  private final DiscoveryThreads threads;
   private final RequestRounds requests;
   private final @Nullable AnnouncementListener announcements;
   private final WantedGroups groups; // guarded by this
@@ -89,17 +89,27 @@ public final class MulticastSearch implements AutoCloseable {
    */
   public MulticastSearch(String @Nullable [] groups, Configuration configuration, Listener listener)
       throws IOException, ConfigurationException {
-    this(groups, MulticastSettings.of(configuration), listener);
+    this(groups, MulticastSettings.of(configuration), listener, DiscoveryThreads.begin());
   }
 
-  MulticastSearch(String @Nullable [] groups, MulticastSettings settings, Listener listener)
+  MulticastSearch(
+      String @Nullable [] groups,
+      MulticastSettings settings,
+      Listener listener,
+      DiscoveryThreads threads)
       throws IOException {
+    this.threads = threads;
     this.settings = settings;
     this.listener = listener;
     this.groups = new WantedGroups(groups);
     this.requests = new RequestRounds(settings, threads.timer(), this::identities, this::dispatch);
     boolean isDisabled = settings.interfaces().isEmpty();
-    this.announcements = isDisabled ? null : new AnnouncementListener(settings, this::received);
+    try {
+      this.announcements = isDisabled ? null : new AnnouncementListener(settings, this::received);
+    } catch (IOException e) {
+      threads.end();
+      throw e;
+    }
     if (announcements != null) {
       try {
         announcements.start();
@@ -122,10 +132,8 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   private synchronized Collection<ServiceID> identities() {
-    return List.copyOf(found.keySet());
+    return found.identities();
   }
-
-  // Groups.
 
   /** The groups, none of them twice; null for all. */
   public synchronized String @Nullable [] getGroups() {
@@ -171,7 +179,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   private void loseUnwanted() {
-    for (FoundRegistrar each : List.copyOf(found.values())) {
+    for (FoundRegistrar each : found.all()) {
       if (!groups.includeOneOf(each.groups)) {
         lose(each);
       }
@@ -194,14 +202,14 @@ public final class MulticastSearch implements AutoCloseable {
       if (closed) {
         return;
       }
-      FoundRegistrar known = found.get(id);
-      if (known != null && known.host.equals(host)) {
-        known.seenAt = System.nanoTime();
-        if (!Set.copyOf(members).equals(Set.copyOf(known.groups))) {
-          check(known);
+      List<FoundRegistrar> known = found.of(id, host);
+      for (FoundRegistrar each : known) {
+        each.seenAt = System.nanoTime();
+        if (!Set.copyOf(members).equals(Set.copyOf(each.groups))) {
+          check(each);
         }
       }
-      if (known == null && !groups.includeOneOf(members)) {
+      if (known.isEmpty() && !groups.includeOneOf(members)) {
         return;
       }
     }
@@ -210,20 +218,22 @@ public final class MulticastSearch implements AutoCloseable {
     dispatch();
   }
 
-  // Probes.
-
   /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
   private synchronized void dispatch() {
-    while (!closed && probing < AnnouncedHosts.PROBES) {
+    boolean isPossible = true;
+    while (isPossible && !closed && probing < AnnouncedHosts.PROBES) {
       Optional<Socket> answer = responding >= RESPONSES ? Optional.empty() : requests.next();
       Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next();
       if (answer.isPresent()) {
-        probing++;
-        responding++;
-        threads.probes().execute(() -> probe(answer.get()));
+        isPossible = begin(() -> probe(answer.get()), 1);
+        if (!isPossible) {
+          ResponseListener.drop(answer.get()); // its announcement comes within seconds
+        }
       } else if (place.isPresent()) {
-        probing++;
-        threads.probes().execute(() -> probe(place.get()));
+        isPossible = begin(() -> probe(place.get()), 0);
+        if (!isPossible) {
+          hosts.postponed(place.get());
+        }
       } else {
         break;
       }
@@ -233,27 +243,31 @@ public final class MulticastSearch implements AutoCloseable {
       wakeUp = null;
     }
     if (!closed) {
-      hosts
-          .untilNext()
-          .ifPresent(
-              nanos ->
-                  wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
+      Optional<Long> pause =
+          isPossible ? hosts.untilNext() : Optional.of(AnnouncedHosts.SHORTEST_WAIT.toNanos());
+      pause.ifPresent(
+          nanos -> wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
     }
   }
 
+  private synchronized boolean begin(Runnable probe, int responses) {
+    boolean isBegun = threads.probe(probe);
+    probing += isBegun ? 1 : 0;
+    responding += isBegun ? responses : 0;
+    return isBegun;
+  }
+
   private void probe(Place place) {
-    @Nullable ServiceID id = null;
+    boolean isHeld = false;
     try {
       Duration patience = hosts.isKnown(place) ? KNOWN_PATIENCE : PATIENCE;
-      Answer answer = UnicastDiscovery.ask(place.host(), place.port(), patience);
-      id = hold(answer, place.host()) ? answer.registrar().getServiceID() : null;
+      isHeld =
+          hold(UnicastDiscovery.ask(place.host(), place.port(), patience), place.host(), place);
     } catch (IOException | ClassNotFoundException | RuntimeException e) {
       LOG.debug("No lookup service at {}, where one is announced.", place, e);
     } finally {
-      if (id == null) {
+      if (!isHeld) {
         hosts.failed(place);
-      } else {
-        hosts.succeeded(place, id);
       }
       ended(false);
     }
@@ -261,10 +275,8 @@ public final class MulticastSearch implements AutoCloseable {
 
   private void probe(Socket answering) {
     try (answering) {
-      boolean unused =
-          hold(
-              UnicastDiscovery.ask(answering, PATIENCE),
-              answering.getInetAddress().getHostAddress());
+      String host = answering.getInetAddress().getHostAddress();
+      boolean unused = hold(UnicastDiscovery.ask(answering, PATIENCE), host, null);
     } catch (IOException | ClassNotFoundException | RuntimeException e) {
       LOG.debug("A request was answered by something else than a lookup service.", e);
     } finally {
@@ -280,56 +292,57 @@ public final class MulticastSearch implements AutoCloseable {
     dispatch();
   }
 
-  /** Takes what answered, if it is wanted; false if not. */
-  private boolean hold(Answer answer, String host) throws RemoteException {
+  /**
+   * Takes what answered, if it is wanted; false if not.
+   *
+   * @param place where it was asked; null if it answered a request
+   */
+  private boolean hold(Answer answer, String host, @Nullable Place place) throws RemoteException {
     synchronized (this) {
       if (!groups.includeOneOf(answer.groups())) {
         return false;
       }
     }
-    if (!(settings.preparer().prepareProxy(answer.registrar())
-        instanceof ServiceRegistrar registrar)) {
-      return false;
-    }
-    ServiceID id = registrar.getServiceID();
+    LocatedRegistrar registrar = answer.registrar().prepared(settings.preparer());
     synchronized (this) {
-      if (closed
-          || !groups.includeOneOf(answer.groups())
-          || (found.size() >= AnnouncedHosts.REMEMBERED && !found.containsKey(id))) {
+      if (closed || !groups.includeOneOf(answer.groups()) || !found.isRoomFor(registrar)) {
         return false;
       }
-      hosts.found(id);
+      if (place != null) {
+        hosts.succeeded(place, registrar);
+      }
       FoundRegistrar held = new FoundRegistrar(registrar, host, answer.groups(), System.nanoTime());
-      if (found.putIfAbsent(id, held) == null) {
+      if (found.add(held)) {
         threads.timer().execute(() -> listener.found(registrar));
       }
       return true;
     }
   }
 
-  // What was found.
+  /** Whether a lookup service that claims this service ID is found now. */
+  public synchronized boolean holds(ServiceID id) {
+    return found.identities().contains(id);
+  }
 
   /** Whether this lookup service is found now. */
-  public synchronized boolean holds(ServiceID id) {
-    return found.containsKey(id);
+  public synchronized boolean holds(LocatedRegistrar registrar) {
+    return found.contains(registrar);
   }
 
   /** Forgets a lookup service, because it does not answer, and looks for it again. */
-  public void discard(ServiceRegistrar registrar) {
-    ServiceID id = registrar.getServiceID();
+  public void discard(LocatedRegistrar registrar) {
     synchronized (this) {
-      if (found.remove(id) == null) {
+      if (!found.remove(registrar)) {
         return;
       }
+      hosts.lost(registrar);
     }
-    hosts.lost(id);
     dispatch();
   }
 
-  private void lose(FoundRegistrar lost) {
-    ServiceID id = lost.registrar.getServiceID();
-    if (found.remove(id, lost)) {
-      hosts.lost(id);
+  private synchronized void lose(FoundRegistrar lost) {
+    if (found.remove(lost)) {
+      hosts.lost(lost.registrar);
       threads.timer().execute(() -> listener.lost(lost.registrar));
     }
   }
@@ -338,7 +351,7 @@ public final class MulticastSearch implements AutoCloseable {
   private synchronized void checkSilent() {
     long longest = settings.announcementInterval().multipliedBy(MISSED).toNanos();
     long now = System.nanoTime();
-    found.values().stream().filter(each -> now - each.seenAt > longest).forEach(this::check);
+    found.all().stream().filter(each -> now - each.seenAt > longest).forEach(this::check);
   }
 
   /** Has a lookup service asked for its groups, unless it was just now. */
@@ -346,7 +359,7 @@ public final class MulticastSearch implements AutoCloseable {
     long now = System.nanoTime();
     if (!closed && now - which.checkedAt > BETWEEN_CHECKS.toNanos()) {
       which.checkedAt = now;
-      threads.checks().execute(() -> askForGroups(which));
+      boolean unused = threads.check(() -> askForGroups(which)); // if not, the next time
     }
   }
 

@@ -106,6 +106,15 @@ final class ResponseListener implements AutoCloseable {
     }
   }
 
+  /** Closes a connection that is not asked. */
+  static void drop(Socket socket) {
+    try {
+      socket.close();
+    } catch (IOException e) {
+      LOG.debug("The connection of a lookup service was not closed.", e);
+    }
+  }
+
   private boolean add(Socket socket) {
     InetAddress from = socket.getInetAddress();
     synchronized (waiting) {

@@ -59,10 +59,10 @@ public final class UnicastDiscovery {
   /**
    * What a lookup service answers.
    *
-   * @param registrar its proxy; it knows its identity without a call
+   * @param registrar its proxy, and where it answered
    * @param groups the groups that it is a member of
    */
-  public record Answer(ServiceRegistrar registrar, List<String> groups) {
+  public record Answer(LocatedRegistrar registrar, List<String> groups) {
 
     public Answer {
       groups = List.copyOf(groups);
@@ -153,7 +153,9 @@ public final class UnicastDiscovery {
       }
       groups.add(group);
     }
-    return new Answer(registrar(new MarshalledInstance(marshalled).get(false)), groups);
+    MarshalledInstance form = new MarshalledInstance(marshalled);
+    InetSocketAddress place = new InetSocketAddress(socket.getInetAddress(), socket.getPort());
+    return new Answer(new LocatedRegistrar(registrar(form.get(false)), form, place), groups);
   }
 
   /** The stream's own objects; what the marshalled one holds are bytes to it. */

@@ -6,26 +6,29 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.discovery.LookupLocator;
-import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.discovery.DiscoveryEvent;
 import net.jini.discovery.DiscoveryGroupManagement;
 import net.jini.discovery.DiscoveryListener;
 import net.jini.discovery.DiscoveryLocatorManagement;
 import net.jini.discovery.DiscoveryManagement;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Finds lookup services: by group over multicast, and at locators by unicast. One that is found
- * both ways is one. No multicast socket is opened while there are no groups.
+ * both ways is one. Two that claim the same service ID are two: each is a {@link
+ * LocatedRegistrar}. No multicast socket is opened while there are no groups.
  */
 public final class Discovery
     implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {
@@ -36,7 +39,7 @@ public final class Discovery
   private final Configuration configuration;
   private final Duration retry;
   private final List<DiscoveryListener> listeners = new CopyOnWriteArrayList<>();
-  private final Map<ServiceID, ServiceRegistrar> found = new LinkedHashMap<>(); // guarded by this
+  private final Set<LocatedRegistrar> found = new LinkedHashSet<>(); // guarded by this
   private final List<LocatorSearch> searches = new ArrayList<>(); // guarded by this
   private @Nullable MulticastSearch multicast; // guarded by this
   private boolean ended; // guarded by this
@@ -86,13 +89,13 @@ public final class Discovery
             configuration,
             new MulticastSearch.Listener() {
               @Override
-              public void found(ServiceRegistrar registrar) {
+              public void found(LocatedRegistrar registrar) {
                 add(registrar);
               }
 
               @Override
-              public void lost(ServiceRegistrar registrar) {
-                if (!isAtLocator(registrar.getServiceID())) {
+              public void lost(LocatedRegistrar registrar) {
+                if (!isAtLocator(registrar)) {
                   remove(registrar);
                 }
               }
@@ -100,21 +103,21 @@ public final class Discovery
   }
 
   /** What was found at each locator. */
-  synchronized Map<String, Optional<ServiceID>> atLocators() {
-    Map<String, Optional<ServiceID>> all = new LinkedHashMap<>();
+  synchronized Map<String, Optional<LocatedRegistrar>> atLocators() {
+    Map<String, Optional<LocatedRegistrar>> all = new LinkedHashMap<>();
     for (LocatorSearch search : searches) {
       all.put(search.locator().toString(), Optional.ofNullable(search.found()));
     }
     return all;
   }
 
-  private synchronized boolean isAtLocator(ServiceID id) {
-    return searches.stream().anyMatch(search -> id.equals(search.found()));
+  private synchronized boolean isAtLocator(LocatedRegistrar registrar) {
+    return searches.stream().anyMatch(search -> registrar.equals(search.found()));
   }
 
-  private void add(ServiceRegistrar registrar) {
+  private void add(LocatedRegistrar registrar) {
     synchronized (this) {
-      if (ended || found.putIfAbsent(registrar.getServiceID(), registrar) != null) {
+      if (ended || !found.add(registrar)) {
         return;
       }
     }
@@ -122,9 +125,9 @@ public final class Discovery
     listeners.forEach(listener -> listener.discovered(event));
   }
 
-  private void remove(ServiceRegistrar registrar) {
+  private void remove(LocatedRegistrar registrar) {
     synchronized (this) {
-      if (found.remove(registrar.getServiceID()) == null) {
+      if (!found.remove(registrar)) {
         return;
       }
     }
@@ -151,12 +154,22 @@ public final class Discovery
 
   @Override
   public synchronized ServiceRegistrar[] getRegistrars() {
-    return found.values().toArray(ServiceRegistrar[]::new);
+    return found.toArray(ServiceRegistrar[]::new);
   }
 
-  /** {@inheritDoc} Then looks for it again. */
+  /**
+   * {@inheritDoc} Then looks for it again.
+   *
+   * @param registrar one that was found here; others are ignored
+   */
   @Override
   public void discard(ServiceRegistrar registrar) {
+    if (registrar instanceof LocatedRegistrar located) {
+      discard(located);
+    }
+  }
+
+  private void discard(LocatedRegistrar registrar) {
     remove(registrar);
     @Nullable MulticastSearch groups;
     List<LocatorSearch> all;
@@ -167,7 +180,7 @@ public final class Discovery
     if (groups != null) {
       groups.discard(registrar);
     }
-    all.forEach(search -> search.discard(registrar.getServiceID()));
+    all.forEach(search -> search.discard(registrar));
   }
 
   @Override
@@ -252,18 +265,18 @@ public final class Discovery
   @Override
   public void removeLocators(LookupLocator[] locators) {
     List<LookupLocator> unwanted = Arrays.asList(locators);
-    List<ServiceRegistrar> lost = new ArrayList<>();
+    List<LocatedRegistrar> lost = new ArrayList<>();
     synchronized (this) {
       List<LocatorSearch> ending =
           searches.stream().filter(search -> unwanted.contains(search.locator())).toList();
       searches.removeAll(ending);
       for (LocatorSearch search : ending) {
         search.close();
-        @Nullable ServiceID id = search.found();
-        @Nullable ServiceRegistrar registrar = id == null ? null : found.get(id);
+        @Nullable LocatedRegistrar registrar = search.found();
         if (registrar != null
-            && !isAtLocator(registrar.getServiceID())
-            && (multicast == null || !multicast.holds(registrar.getServiceID()))) {
+            && found.contains(registrar)
+            && !isAtLocator(registrar)
+            && (multicast == null || !multicast.holds(registrar))) {
           lost.add(registrar);
         }
       }

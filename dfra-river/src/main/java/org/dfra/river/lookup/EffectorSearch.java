@@ -10,10 +10,10 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import net.jini.config.ConfigurationException;
 import net.jini.config.EmptyConfiguration;
-import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.discovery.DiscoveryEvent;
 import net.jini.discovery.DiscoveryListener;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A {@link JiniModuleDirectory} reads everything before it answers, so that thousands of modules
  * in one lookup service delay those of all robots. Nothing is followed here: what is registered
- * later is not found.
+ * later is not found. Lookup services that claim one service ID are all read.
  */
 public final class EffectorSearch implements AutoCloseable {
 
@@ -56,7 +56,10 @@ public final class EffectorSearch implements AutoCloseable {
   private final Listener listener;
   private final Discovery discovery;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
-  private final Map<ServiceID, RegistrarReading> readings = new HashMap<>(); // guarded by itself
+
+  /** Guarded by itself. */
+  private final Map<ServiceRegistrar, RegistrarReading> readings = new HashMap<>();
+
   private boolean closed; // guarded by readings
 
   /**
@@ -111,10 +114,10 @@ public final class EffectorSearch implements AutoCloseable {
 
   private void read(ServiceRegistrar registrar) {
     synchronized (readings) {
-      if (!closed && !readings.containsKey(registrar.getServiceID())) {
+      if (!closed && !readings.containsKey(registrar)) {
         RegistrarReading reading =
             new RegistrarReading(registrar, wanted, known, listener, loader, this::changed);
-        readings.put(registrar.getServiceID(), reading);
+        readings.put(registrar, reading);
         reading.start();
       }
     }
@@ -159,7 +162,7 @@ public final class EffectorSearch implements AutoCloseable {
         .atLocators()
         .forEach(
             (locator, found) -> {
-              Optional<ServiceID> there = found.filter(readings::containsKey);
+              Optional<LocatedRegistrar> there = found.filter(readings::containsKey);
               if (there.isEmpty()) {
                 missing.add(locator);
               }

@@ -17,7 +17,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import net.jini.config.ConfigurationException;
 import net.jini.config.EmptyConfiguration;
-import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.discovery.DiscoveryEvent;
 import net.jini.discovery.DiscoveryListener;
@@ -29,6 +28,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.proxy.LocalModules;
@@ -58,7 +58,10 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private final InstantSource clock;
   private final Discovery discovery;
   private final Sightings sightings;
-  private final Map<ServiceID, RegistrarWatch> watches = new HashMap<>(); // guarded by watches
+
+  /** Guarded by itself. */
+  private final Map<LocatedRegistrar, RegistrarWatch> watches = new HashMap<>();
+
   private final Map<String, Boolean> hosts = new ConcurrentHashMap<>();
   private final ScheduledExecutorService watchdog;
   private boolean closed; // guarded by watches
@@ -123,6 +126,14 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     return sightings.unreadable();
   }
 
+  /**
+   * What lookup services within reach list differently under one service ID. A query finds the one
+   * that was listed first.
+   */
+  public List<ModuleConflict> conflicts() {
+    return sightings.conflicts();
+  }
+
   /** How many lookup services are within reach now. */
   public int registrars() {
     synchronized (watches) {
@@ -130,10 +141,10 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  /** The lookup services that are within reach now. */
+  /** The lookup services that are within reach now. Several may claim one service ID. */
   public List<ServiceRegistrar> lookupServices() {
     synchronized (watches) {
-      return watches.values().stream().map(RegistrarWatch::registrar).toList();
+      return watches.values().stream().<ServiceRegistrar>map(RegistrarWatch::registrar).toList();
     }
   }
 
@@ -192,7 +203,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     @Override
     public void discovered(DiscoveryEvent event) {
       for (ServiceRegistrar registrar : event.getRegistrars()) {
-        watch(registrar);
+        watch((LocatedRegistrar) registrar); // discovery finds no others
       }
     }
 
@@ -202,9 +213,9 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  private void watch(ServiceRegistrar registrar) {
+  private void watch(LocatedRegistrar registrar) {
     synchronized (watches) {
-      if (!closed && !watches.containsKey(registrar.getServiceID())) {
+      if (!closed && !watches.containsKey(registrar)) {
         RegistrarWatch watch =
             new RegistrarWatch(
                 registrar,
@@ -215,7 +226,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
                     Endpoints.tcp(settings.host(), 0), new DeadlineILFactory(), false, false),
                 this::read,
                 this::lost);
-        watches.put(registrar.getServiceID(), watch);
+        watches.put(registrar, watch);
         watch.start();
       }
     }
@@ -223,7 +234,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   private void lost(RegistrarWatch watch) {
     synchronized (watches) {
-      watches.remove(watch.registrar().getServiceID(), watch);
+      watches.remove(watch.registrar(), watch);
       watches.notifyAll();
     }
     discovery.discard(watch.registrar()); // and look for it again

@@ -71,7 +71,7 @@ public final class Join implements AutoCloseable {
               new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
               discovery,
               renewals,
-              timed);
+              new RegistrarPreparation(timed));
       return new Join(discovery, manager, renewals, threads);
     } catch (IOException | ConfigurationException | RuntimeException e) {
       discovery.terminate();

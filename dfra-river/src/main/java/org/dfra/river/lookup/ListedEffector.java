@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
  * An effector as a lookup service lists it. All of it is the word of whoever registered it.
  *
  * @param id its service ID
- * @param registrar service ID of the lookup service
+ * @param registrar which lookup service lists it: a key of this search, since the service ID that a
+ *     lookup service claims may be a copy
  * @param robot name of its robot, as a printable word
  * @param name its name on its robot, as a printable word
  * @param effector its proxy; null if it cannot be read here

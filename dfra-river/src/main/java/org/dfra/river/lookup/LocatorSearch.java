@@ -7,8 +7,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
-import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceRegistrar;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -26,20 +25,20 @@ final class LocatorSearch implements AutoCloseable {
 
   private final LookupLocator locator;
   private final Duration retry;
-  private final Consumer<ServiceRegistrar> finder;
+  private final Consumer<LocatedRegistrar> finder;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final Thread thread;
-  private @Nullable ServiceID found; // guarded by lock
+  private @Nullable LocatedRegistrar found; // guarded by lock
   private boolean closed; // guarded by lock
   private long foundAt; // guarded by lock
   private boolean complained; // by the thread
 
   /**
    * @param retry how long to wait before it is tried again
-   * @param finder is told of the lookup service, on the search's thread
+   * @param finder receives the lookup service, on the search's thread
    */
-  LocatorSearch(LookupLocator locator, Duration retry, Consumer<ServiceRegistrar> finder) {
+  LocatorSearch(LookupLocator locator, Duration retry, Consumer<LocatedRegistrar> finder) {
     this.locator = locator;
     this.retry = retry;
     this.finder = finder;
@@ -58,7 +57,7 @@ final class LocatorSearch implements AutoCloseable {
   }
 
   /** Which lookup service is there, as far as is known. */
-  @Nullable ServiceID found() {
+  @Nullable LocatedRegistrar found() {
     lock.lock();
     try {
       return found;
@@ -68,7 +67,7 @@ final class LocatorSearch implements AutoCloseable {
   }
 
   /** Looks again, if it is this one that was found. */
-  void discard(ServiceID lost) {
+  void discard(LocatedRegistrar lost) {
     lock.lock();
     try {
       if (lost.equals(found)) {
@@ -83,11 +82,11 @@ final class LocatorSearch implements AutoCloseable {
   private void run() {
     try {
       while (awaitNeed()) {
-        @Nullable ServiceRegistrar registrar = look();
+        @Nullable LocatedRegistrar registrar = look();
         lock.lock();
         try {
           if (registrar != null) {
-            found = registrar.getServiceID();
+            found = registrar;
             foundAt = System.nanoTime();
           } else if (!closed) {
             changed.await(retry.toNanos(), TimeUnit.NANOSECONDS);
@@ -123,9 +122,9 @@ final class LocatorSearch implements AutoCloseable {
     }
   }
 
-  private @Nullable ServiceRegistrar look() {
+  private @Nullable LocatedRegistrar look() {
     try {
-      ServiceRegistrar registrar =
+      LocatedRegistrar registrar =
           UnicastDiscovery.ask(locator.getHost(), locator.getPort(), RobotPace.PATIENCE)
               .registrar();
       complained = false;

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
@@ -38,6 +39,7 @@ final class RegistrarReading implements AutoCloseable {
   private static final int LIMIT_OF_ONE_NAME = 8;
 
   private final ServiceRegistrar registrar;
+  private final UUID key = UUID.randomUUID(); // its service ID may be a copy of another's
   private final List<String> wanted;
   private final List<String> known;
   private final EffectorSearch.Listener listener;
@@ -208,7 +210,7 @@ final class RegistrarReading implements AutoCloseable {
         listener.found(
             new ListedEffector(
                 Sightings.uuid(id),
-                Sightings.uuid(registrar.getServiceID()),
+                key,
                 own.robot(),
                 own.name(),
                 item.service instanceof Effector<?> effector ? effector : null,
@@ -237,7 +239,7 @@ final class RegistrarReading implements AutoCloseable {
 
   private String sentence(String fault) {
     return "not every effector of lookup service "
-        + registrar.getServiceID()
+        + registrar
         + " was called: "
         + fault;
   }

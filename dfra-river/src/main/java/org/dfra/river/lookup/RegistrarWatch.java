@@ -29,6 +29,7 @@ import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.loading.LoadingFaults;
 import org.jspecify.annotations.Nullable;
@@ -54,8 +55,8 @@ final class RegistrarWatch implements AutoCloseable {
   /** So many events may wait; past them everything is asked for instead. */
   private static final int LONGEST_QUEUE = 10_000;
 
-  private final ServiceRegistrar registrar;
-  private final ServiceID id;
+  private final LocatedRegistrar identity;
+  private final ServiceRegistrar registrar; // the same, for calls
   private final Sightings sightings;
   private final DirectorySettings settings;
   private final InstantSource clock;
@@ -87,15 +88,15 @@ final class RegistrarWatch implements AutoCloseable {
    * @param end is told when the lookup service has failed and the watch is over
    */
   RegistrarWatch(
-      ServiceRegistrar registrar,
+      LocatedRegistrar identity,
       Sightings sightings,
       DirectorySettings settings,
       InstantSource clock,
       Exporter exporter,
       Runnable reader,
       Consumer<RegistrarWatch> end) {
-    this.registrar = registrar;
-    this.id = registrar.getServiceID();
+    this.identity = identity;
+    this.registrar = identity;
     this.sightings = sightings;
     this.settings = settings;
     this.clock = clock;
@@ -103,7 +104,7 @@ final class RegistrarWatch implements AutoCloseable {
     this.reader = reader;
     this.end = end;
     this.vouched = clock.instant();
-    this.thread = new Thread(this::run, "dfra-registrar-" + id);
+    this.thread = new Thread(this::run, "dfra-registrar-" + identity.getServiceID());
     thread.setDaemon(true);
     thread.setContextClassLoader(Thread.currentThread().getContextClassLoader());
   }
@@ -112,8 +113,8 @@ final class RegistrarWatch implements AutoCloseable {
     thread.start();
   }
 
-  ServiceRegistrar registrar() {
-    return registrar;
+  LocatedRegistrar registrar() {
+    return identity;
   }
 
   /** Whether everything that it holds was read once. */
@@ -126,8 +127,8 @@ final class RegistrarWatch implements AutoCloseable {
     long since = busySince;
     if (since != 0 && nanos - since > settings.silence().toNanos() && !silent) {
       silent = true;
-      LOG.warn("Lookup service {} does not answer; what it holds is stale.", id);
-      sightings.lost(id, vouched);
+      LOG.warn("Lookup service {} does not answer; what it holds is stale.", identity);
+      sightings.lost(identity, vouched);
     }
   }
 
@@ -158,13 +159,13 @@ final class RegistrarWatch implements AutoCloseable {
       cancel();
     } catch (IOException | RuntimeException e) {
       if (!closed) {
-        LOG.info("Lookup service {} is out of reach: {}", id, e.toString());
+        LOG.info("Lookup service {} is out of reach: {}", identity, e.toString());
       }
     } finally {
       exporter.unexport(true);
       busySince = 0;
       if (!closed) {
-        sightings.lost(id, vouched);
+        sightings.lost(identity, vouched);
         end.accept(this);
       }
     }
@@ -216,7 +217,8 @@ final class RegistrarWatch implements AutoCloseable {
     silent = false;
     locate();
     faults.keySet().retainAll(items.keySet());
-    sightings.all(id, items.values(), faults); // what can be used does not wait for what cannot
+    // What can be used does not wait for what cannot.
+    sightings.all(identity, items.values(), faults);
     findFaults(items.values());
     complete = System.nanoTime();
     read = true;
@@ -228,7 +230,7 @@ final class RegistrarWatch implements AutoCloseable {
     if (!located) {
       @Nullable LookupLocator locator = call(() -> registrar.getLocator());
       if (locator != null) {
-        sightings.runsAt(id, locator.getHost());
+        sightings.runsAt(identity, locator.getHost());
       }
       located = true;
     }
@@ -243,7 +245,7 @@ final class RegistrarWatch implements AutoCloseable {
         Optional<String> fault = fault(item.serviceID);
         if (fault.isPresent()) {
           faults.put(item.serviceID, fault.get());
-          sightings.seen(id, item, fault.get());
+          sightings.seen(identity, item, fault.get());
         }
       }
     }
@@ -277,7 +279,7 @@ final class RegistrarWatch implements AutoCloseable {
     }
     sequence = Math.max(sequence, next);
     if (event.getTransition() == ServiceRegistrar.TRANSITION_MATCH_NOMATCH) {
-      sightings.gone(id, Sightings.uuid(event.getServiceID()));
+      sightings.gone(identity, Sightings.uuid(event.getServiceID()));
       return;
     }
     @Nullable ServiceItem item = event.getServiceItem();
@@ -287,10 +289,10 @@ final class RegistrarWatch implements AutoCloseable {
     Optional<String> fault = item.service == null ? fault(item.serviceID) : Optional.empty();
     if (fault.isPresent()) {
       faults.put(item.serviceID, fault.get());
-      sightings.seen(id, item, fault.get());
+      sightings.seen(identity, item, fault.get());
     } else {
       faults.remove(item.serviceID);
-      sightings.seen(id, item);
+      sightings.seen(identity, item);
     }
   }
 
@@ -339,7 +341,7 @@ final class RegistrarWatch implements AutoCloseable {
       try {
         known.getLease().cancel();
       } catch (UnknownLeaseException | RemoteException | RuntimeException e) {
-        LOG.debug("The events of {} end by themselves.", id, e);
+        LOG.debug("The events of {} end by themselves.", identity, e);
       }
     }
   }
@@ -364,6 +366,6 @@ final class RegistrarWatch implements AutoCloseable {
   /** What it follows, for people. */
   @Override
   public String toString() {
-    return List.of(id, silent ? "silent" : "answers").toString();
+    return List.of(identity, silent ? "silent" : "answers").toString();
   }
 }

@@ -1,10 +1,12 @@
 package org.dfra.river.lookup;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,28 +19,45 @@ import org.dfra.core.directory.ModuleTable;
 import org.dfra.directory.Locality;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
-import org.dfra.river.entry.Entries;
+import org.dfra.river.discovery.LocatedRegistrar;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Which lookup service holds what, put together into one table.
+ * Which lookup service lists what, put together into one table.
  *
- * <p>What several hold under one service ID is one module. It is fresh while one of those within
- * reach holds it, stale when none is within reach any more, and gone when one within reach let go
- * of it and no other such one holds it.
+ * <p>What several list under one service ID is one module. That of one lookup service counts:
+ *
+ * <ul>
+ *   <li>the first within reach that lists it readably, for as long as it is within reach and lists
+ *       it. Another one changes nothing, whatever it lists and when it goes;
+ *   <li>then the next one, by the order in which they listed it first;
+ *   <li>if none is within reach any more, the last that counted, and the module is stale.
+ * </ul>
+ *
+ * <p>The module is gone when one within reach has removed it and no other such one lists it. What
+ * one out of reach lists is gone with it if it is the same; if it is something else, it is stale.
  */
 final class Sightings {
 
   private static final String UNKNOWN =
       "its proxy cannot be read; look whether it is of another version of DFRA";
 
+  /** What lookup services list under one service ID. */
+  private static final class Listings {
+    final Map<LocatedRegistrar, ListedService> all = new LinkedHashMap<>(); // in order of sighting
+    @Nullable LocatedRegistrar counted; // what the table shows
+    @Nullable ListedService shown; // of it
+  }
+
   private final ModuleTable table;
   private final BiFunction<UUID, List<Attributes>, Locality> locality;
-  private final Map<UUID, Set<ServiceID>> holders = new HashMap<>(); // guarded by this
-  private final Map<UUID, UnreadableModule> unreadable = new HashMap<>(); // guarded by this
-  private final Map<UUID, String> hosts = new HashMap<>(); // of lookup services; guarded by this
-  private final Set<ServiceID> withinReach = new HashSet<>(); // guarded by this
+  private final Map<UUID, Listings> services = new HashMap<>(); // guarded by this
+  private final Map<LocatedRegistrar, String> hosts = new HashMap<>(); // guarded by this
+  private final Set<LocatedRegistrar> withinReach = new HashSet<>(); // guarded by this
+
+  /** Those out of reach that list something, and when they last answered; guarded by this. */
+  private final Map<LocatedRegistrar, Instant> outOfReach = new HashMap<>();
 
   /**
    * @param locality how far away a module is, by its identity and attributes
@@ -53,15 +72,29 @@ final class Sightings {
    *
    * @param host address or name of the computer
    */
-  synchronized void runsAt(ServiceID registrar, String host) {
-    UUID id = uuid(registrar);
-    if (!host.equals(hosts.put(id, host))) {
-      table.place(id, host);
+  synchronized void runsAt(LocatedRegistrar registrar, String host) {
+    UUID id = uuid(registrar.getServiceID());
+    hosts.put(registrar, host);
+    Listings listings = services.get(id);
+    if (listings != null && listings.counted != null) {
+      table.place(id, host(id, listings.counted));
     }
   }
 
-  /** A lookup service tells all that it holds. */
-  synchronized void all(ServiceID registrar, Collection<ServiceItem> items) {
+  /** Where the lookup service of this service ID runs, as far as is known; its own word first. */
+  private String host(UUID id, LocatedRegistrar listing) {
+    if (uuid(listing.getServiceID()).equals(id)) {
+      return hosts.getOrDefault(listing, "");
+    }
+    return hosts.entrySet().stream()
+        .filter(each -> uuid(each.getKey().getServiceID()).equals(id))
+        .map(Map.Entry::getValue)
+        .findFirst()
+        .orElse("");
+  }
+
+  /** A lookup service lists these and no others. */
+  synchronized void all(LocatedRegistrar registrar, Collection<ServiceItem> items) {
     all(registrar, items, Map.of());
   }
 
@@ -71,24 +104,38 @@ final class Sightings {
    * @param faults why proxies that are missing could not be read
    */
   synchronized void all(
-      ServiceID registrar, Collection<ServiceItem> items, Map<ServiceID, String> faults) {
+      LocatedRegistrar registrar, Collection<ServiceItem> items, Map<ServiceID, String> faults) {
     withinReach.add(registrar);
-    Set<UUID> told = new HashSet<>();
+    outOfReach.remove(registrar);
+    Set<UUID> listed = new HashSet<>();
     for (ServiceItem item : items) {
-      told.add(uuid(item.serviceID));
+      listed.add(uuid(item.serviceID));
       seen(registrar, item, faults.getOrDefault(item.serviceID, UNKNOWN));
     }
-    Set.copyOf(holders.keySet()).stream()
-        .filter(id -> !told.contains(id) && isHolding(registrar, id))
-        .forEach(id -> gone(registrar, id));
+    for (UUID id : List.copyOf(services.keySet())) {
+      if (!listed.contains(id)) {
+        gone(registrar, id);
+      }
+    }
+    List.copyOf(outOfReach.keySet()).stream()
+        .filter(each -> isFormer(each, registrar))
+        .forEach(this::forget);
   }
 
-  private boolean isHolding(ServiceID registrar, UUID id) {
-    return holders.getOrDefault(id, Set.of()).contains(registrar);
+  /** Whether a lookup service was restarted as the other, which has a new proxy since. */
+  private static boolean isFormer(LocatedRegistrar former, LocatedRegistrar now) {
+    return former.getServiceID().equals(now.getServiceID())
+        && former.address().equals(now.address());
   }
 
-  /** A lookup service within reach holds this, as it is told here. */
-  synchronized void seen(ServiceID registrar, ServiceItem item) {
+  private void forget(LocatedRegistrar former) {
+    outOfReach.remove(former);
+    hosts.remove(former);
+    List.copyOf(services.keySet()).forEach(id -> gone(former, id));
+  }
+
+  /** A lookup service within reach lists this. */
+  synchronized void seen(LocatedRegistrar registrar, ServiceItem item) {
     seen(registrar, item, UNKNOWN);
   }
 
@@ -97,46 +144,80 @@ final class Sightings {
    *
    * @param fault why its proxy could not be read, where it is missing
    */
-  synchronized void seen(ServiceID registrar, ServiceItem item, String fault) {
-    UUID id = uuid(item.serviceID);
-    List<Attributes> attributes = Entries.records(item.attributeSets);
-    Optional<ModuleAttributes> own =
-        attributes.stream()
-            .filter(ModuleAttributes.class::isInstance)
-            .map(ModuleAttributes.class::cast)
-            .findFirst();
-    if (item.service instanceof Module module && own.isPresent()) {
-      unreadable.remove(id);
-      table.put(id, module, attributes, locality.apply(id, attributes));
-    } else if (item.service == null && own.isPresent()) {
-      ModuleAttributes of = own.get();
-      unreadable.put(
-          id, new UnreadableModule(of.robot(), of.name(), of.host(), id.toString(), fault));
-    } else {
-      PersonaAttributes robot =
-          attributes.stream()
-              .filter(PersonaAttributes.class::isInstance)
-              .map(PersonaAttributes.class::cast)
-              .findFirst()
-              .orElse(null);
-      if (robot == null) {
-        return;
-      }
-      table.put(id, robot, hosts.getOrDefault(id, ""));
+  synchronized void seen(LocatedRegistrar registrar, ServiceItem item, String fault) {
+    Optional<ListedService> service = ListedService.of(item, fault);
+    if (service.isPresent()) {
+      UUID id = uuid(item.serviceID);
+      Listings listings = services.computeIfAbsent(id, unused -> new Listings());
+      listings.all.put(registrar, service.get());
+      show(id, listings);
     }
-    holders.computeIfAbsent(id, key -> new HashSet<>()).add(registrar);
   }
 
-  /** A lookup service within reach holds this no longer: it left, or its lease ran out. */
-  synchronized void gone(ServiceID registrar, UUID id) {
-    Set<ServiceID> holding = holders.get(id);
-    if (holding == null) {
+  /** The lookup service that counts; nothing where none is within reach. */
+  private Optional<LocatedRegistrar> counted(Listings of) {
+    @Nullable LocatedRegistrar last = of.counted;
+    if (last != null && isReadable(of, last)) {
+      return Optional.of(last);
+    }
+    Optional<LocatedRegistrar> readable =
+        of.all.keySet().stream().filter(each -> isReadable(of, each)).findFirst();
+    return readable.isPresent()
+        ? readable
+        : of.all.keySet().stream().filter(withinReach::contains).findFirst();
+  }
+
+  private boolean isReadable(Listings of, LocatedRegistrar registrar) {
+    @Nullable ListedService service = of.all.get(registrar);
+    return service != null && service.isReadable() && withinReach.contains(registrar);
+  }
+
+  /** Shows what counts; false where no lookup service is within reach. */
+  private boolean show(UUID id, Listings listings) {
+    Optional<LocatedRegistrar> counted = counted(listings);
+    counted.ifPresent(each -> show(id, listings, each));
+    return counted.isPresent();
+  }
+
+  private void show(UUID id, Listings listings, LocatedRegistrar counted) {
+    @Nullable ListedService service = listings.all.get(counted);
+    @Nullable LocatedRegistrar last = listings.counted;
+    @Nullable ListedService shown = listings.shown;
+    if (service == null) {
       return;
     }
-    holding.remove(registrar);
-    if (holding.stream().noneMatch(withinReach::contains)) {
-      holders.remove(id);
-      unreadable.remove(id);
+    if (shown != null && last != null && !counted.equals(last)) {
+      if (!service.isReadable() && listings.all.containsKey(last)) {
+        return; // what was seen before is worth more, though it is stale
+      } else if (!service.isReadable() || !service.isLike(shown)) {
+        table.remove(id); // or the table would have both
+      }
+    }
+    @Nullable Module module = service.module();
+    @Nullable PersonaAttributes robot = service.robot();
+    if (module != null) {
+      table.put(id, module, service.attributes(), locality.apply(id, service.attributes()));
+    } else if (robot != null) {
+      table.put(id, robot, host(id, counted));
+    }
+    listings.counted = counted;
+    listings.shown = service;
+  }
+
+  /** A lookup service lists this no longer: it left, or its lease ran out. */
+  synchronized void gone(LocatedRegistrar registrar, UUID id) {
+    Listings listings = services.get(id);
+    @Nullable ListedService removed = listings == null ? null : listings.all.remove(registrar);
+    if (listings == null || removed == null || show(id, listings)) {
+      return;
+    }
+    listings.all.values().removeIf(removed::isSameAs);
+    Optional<LocatedRegistrar> other = listings.all.keySet().stream().findFirst();
+    if (other.isPresent()) {
+      show(id, listings, other.get());
+      table.stale(id, outOfReach.getOrDefault(other.get(), Instant.EPOCH));
+    } else {
+      services.remove(id);
       table.remove(id);
     }
   }
@@ -146,24 +227,63 @@ final class Sightings {
    *
    * @param vouched when it last answered
    */
-  synchronized void lost(ServiceID registrar, Instant vouched) {
+  synchronized void lost(LocatedRegistrar registrar, Instant vouched) {
     if (!withinReach.remove(registrar)) {
       return;
     }
-    holders.forEach(
-        (id, holding) -> {
-          if (holding.contains(registrar) && holding.stream().noneMatch(withinReach::contains)) {
-            unreadable.remove(id);
-            table.stale(id, vouched);
-          }
-        });
+    boolean isListing = false;
+    for (Map.Entry<UUID, Listings> each : services.entrySet()) {
+      if (each.getValue().all.containsKey(registrar)) {
+        isListing = true;
+        boolean isAnyWithinReach = show(each.getKey(), each.getValue());
+        if (!isAnyWithinReach || registrar.equals(each.getValue().counted)) {
+          table.stale(each.getKey(), vouched);
+        }
+      }
+    }
+    if (isListing) {
+      outOfReach.put(registrar, vouched);
+    } else {
+      hosts.remove(registrar);
+    }
   }
 
-  /** The modules whose proxies cannot be read here, by path. */
+  /** The modules that count and whose proxies cannot be read here, by path. */
   synchronized List<UnreadableModule> unreadable() {
-    return unreadable.values().stream()
-        .sorted(Comparator.comparing(UnreadableModule::path))
-        .toList();
+    List<UnreadableModule> unreadable = new ArrayList<>();
+    for (Listings each : services.values()) {
+      counted(each).map(each.all::get).map(ListedService::unreadable).ifPresent(unreadable::add);
+    }
+    unreadable.sort(Comparator.comparing(UnreadableModule::path));
+    return unreadable;
+  }
+
+  /** What lookup services within reach list differently under one service ID, by path. */
+  synchronized List<ModuleConflict> conflicts() {
+    List<ModuleConflict> conflicts = new ArrayList<>();
+    services.forEach(
+        (id, listings) ->
+            counted(listings)
+                .flatMap(each -> conflict(id, listings, each))
+                .ifPresent(conflicts::add));
+    conflicts.sort(Comparator.comparing(ModuleConflict::path));
+    return conflicts;
+  }
+
+  private Optional<ModuleConflict> conflict(UUID id, Listings of, LocatedRegistrar counted) {
+    @Nullable ListedService service = of.all.get(counted);
+    if (service == null) {
+      return Optional.empty();
+    }
+    List<String> others = new ArrayList<>();
+    for (Map.Entry<LocatedRegistrar, ListedService> other : of.all.entrySet()) {
+      if (withinReach.contains(other.getKey()) && !service.isSameAs(other.getValue())) {
+        others.add(other.getKey().place());
+      }
+    }
+    return others.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new ModuleConflict(service.path(), id.toString(), counted.place(), others));
   }
 
   static UUID uuid(ServiceID id) {

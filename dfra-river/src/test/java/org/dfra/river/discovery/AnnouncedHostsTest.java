@@ -2,6 +2,7 @@ package org.dfra.river.discovery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,7 @@ class AnnouncedHostsTest {
 
   private static final Place HONEST = new Place("192.0.2.1", 4160);
   private static final ServiceID ID = new ServiceID(0, 1);
+  private static final FakeRegistrar REGISTRAR = new FakeRegistrar(1, "field");
 
   private final SteppedTime time = new SteppedTime();
   private final AnnouncedHosts hosts = new AnnouncedHosts(time::nanos);
@@ -37,11 +39,13 @@ class AnnouncedHostsTest {
     return asked;
   }
 
-  private void know(Place place, ServiceID id) {
-    hosts.announced(place, id, true);
-    assertThat(hosts.next()).contains(place);
-    hosts.found(id);
-    hosts.succeeded(place, id);
+  /** The honest lookup service has answered, and is held. */
+  private LocatedRegistrar know() throws IOException {
+    hosts.announced(HONEST, ID, true);
+    assertThat(hosts.next()).contains(HONEST);
+    LocatedRegistrar registrar = REGISTRAR.at(HONEST.host(), HONEST.port());
+    hosts.succeeded(HONEST, registrar);
+    return registrar;
   }
 
   @Test
@@ -53,24 +57,24 @@ class AnnouncedHostsTest {
   }
 
   @Test
-  void keepsTheLastProbeForPlacesThatAnsweredBefore() {
-    know(HONEST, ID);
+  void keepsTheLastProbeForPlacesThatAnsweredBefore() throws Exception {
+    LocatedRegistrar registrar = know();
     for (int i = 0; i < 100; i++) {
       Place unused = rogue(true);
     }
     assertThat(allNext()).hasSize(AnnouncedHosts.PROBES - 1).doesNotContain(HONEST);
-    hosts.lost(ID);
+    hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
     assertThat(allNext()).containsExactly(HONEST);
     assertThat(hosts.next()).isEmpty();
   }
 
   @Test
-  void asksPlacesThatAnsweredBeforeFirstThenThoseAnnouncedFromTheirOwnAddress() {
-    know(HONEST, ID);
+  void asksPlacesThatAnsweredBeforeFirstThenThoseAnnouncedFromTheirOwnAddress() throws Exception {
+    LocatedRegistrar registrar = know();
     Place elsewhere = rogue(false);
     Place direct = rogue(true);
-    hosts.lost(ID);
+    hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
     assertThat(allNext()).containsExactly(HONEST, direct, elsewhere);
   }
@@ -116,13 +120,13 @@ class AnnouncedHostsTest {
   }
 
   @Test
-  void waitsLongerAfterEachFailureAndForgets() {
+  void waitsLongerAfterEachFailureAndForgets() throws Exception {
+    LocatedRegistrar unused = know();
     Place rogue = rogue(true);
     for (int failures = 0; failures < AnnouncedHosts.FAILURES; failures++) {
       assertThat(hosts.next()).as("after %d failures", failures).contains(rogue);
       hosts.failed(rogue);
       hosts.announced(HONEST, ID, true); // whatever else is announced changes nothing
-      hosts.found(ID);
       assertThat(hosts.next()).isEmpty();
       if (failures < AnnouncedHosts.FAILURES - 1) {
         Duration wait = AnnouncedHosts.SHORTEST_WAIT.multipliedBy(1L << failures);
@@ -144,9 +148,9 @@ class AnnouncedHostsTest {
   }
 
   @Test
-  void aPlaceThatAnsweredBeforeIsAskedSoonAfterItIsAnnouncedAgain() {
-    know(HONEST, ID);
-    hosts.lost(ID);
+  void aPlaceThatAnsweredBeforeIsAskedSoonAfterItIsAnnouncedAgain() throws Exception {
+    LocatedRegistrar registrar = know();
+    hosts.lost(registrar);
     for (int i = 0; i < 8; i++) {
       time.pass(AnnouncedHosts.LONGEST_WAIT);
       assertThat(hosts.next()).contains(HONEST);
@@ -158,14 +162,47 @@ class AnnouncedHostsTest {
   }
 
   @Test
-  void aLookupServiceThatMovedIsAskedWhereItIsNowOnceItIsLost() {
-    know(HONEST, ID);
+  void aCopyOfAServiceIdHidesNoOtherPlace() throws Exception {
+    Place rogue = rogue(true);
+    assertThat(hosts.next()).contains(rogue);
+    hosts.succeeded(rogue, new FakeRegistrar(1, "a copy").at(rogue.host(), rogue.port()));
+    hosts.announced(HONEST, ID, true);
+    assertThat(allNext()).containsExactly(HONEST);
+  }
+
+  @Test
+  void aLookupServiceThatMovedIsAskedWhereItIsNow() throws Exception {
+    LocatedRegistrar registrar = know();
     Place moved = new Place("192.0.2.2", 4160);
     hosts.announced(moved, ID, true);
-    time.pass(AnnouncedHosts.LONGEST_WAIT);
-    assertThat(hosts.next()).as("while it is held").isEmpty();
-    hosts.lost(ID);
+    assertThat(hosts.next()).as("nobody is there yet").contains(moved);
+    hosts.failed(moved);
+    hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
     assertThat(allNext()).containsExactlyInAnyOrder(HONEST, moved);
+  }
+
+  @Test
+  void onePlaceThatIsLostLosesNoOtherThatIsHeld() throws Exception {
+    LocatedRegistrar registrar = know();
+    Place second = new Place("192.0.2.2", 4160);
+    hosts.announced(second, ID, true);
+    assertThat(hosts.next()).contains(second);
+    hosts.succeeded(second, new FakeRegistrar(1, "a copy").at(second.host(), second.port()));
+    hosts.lost(registrar);
+    time.pass(AnnouncedHosts.SHORTEST_WAIT);
+    assertThat(allNext()).containsExactly(HONEST);
+  }
+
+  @Test
+  void whatWasPostponedIsAskedLaterAndHasNotFailed() {
+    Place rogue = rogue(true);
+    for (int i = 0; i < 2 * AnnouncedHosts.FAILURES; i++) {
+      assertThat(hosts.next()).contains(rogue);
+      hosts.postponed(rogue);
+      assertThat(hosts.next()).isEmpty();
+      assertThat(hosts.untilNext()).contains(AnnouncedHosts.SHORTEST_WAIT.toNanos());
+      time.pass(AnnouncedHosts.SHORTEST_WAIT);
+    }
   }
 }

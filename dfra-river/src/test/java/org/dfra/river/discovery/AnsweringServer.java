@@ -13,10 +13,10 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** Answers unicast discovery as the test says, each client on a thread of its own. */
-final class AnsweringServer implements AutoCloseable {
+public final class AnsweringServer implements AutoCloseable {
 
   /** Writes an answer, or stalls. */
-  interface Answering {
+  public interface Answering {
     void answer(OutputStream out) throws IOException;
   }
 
@@ -24,7 +24,7 @@ final class AnsweringServer implements AutoCloseable {
   private final Answering answering;
   private final AtomicInteger asked = new AtomicInteger();
 
-  AnsweringServer(Answering answering) throws IOException {
+  public AnsweringServer(Answering answering) throws IOException {
     this.answering = answering;
     this.server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     start(this::accept);
@@ -64,7 +64,7 @@ final class AnsweringServer implements AutoCloseable {
   }
 
   /** The answer of a lookup service. */
-  static byte[] answer(Object proxy, List<String> groups) throws IOException {
+  public static byte[] answer(Object proxy, List<String> groups) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
       out.writeObject(new MarshalledObject<>(proxy));
@@ -76,11 +76,11 @@ final class AnsweringServer implements AutoCloseable {
     return bytes.toByteArray();
   }
 
-  String host() {
+  public String host() {
     return server.getInetAddress().getHostAddress();
   }
 
-  int port() {
+  public int port() {
     return server.getLocalPort();
   }
 

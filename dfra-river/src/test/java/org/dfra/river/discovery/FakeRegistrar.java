@@ -1,6 +1,8 @@
 package org.dfra.river.discovery;
 
+import java.io.IOException;
 import java.io.Serializable;
+import java.net.InetSocketAddress;
 import java.rmi.MarshalledObject;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.event.EventRegistration;
@@ -11,18 +13,26 @@ import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.core.lookup.ServiceTemplate;
+import net.jini.io.MarshalledInstance;
 
-/** A lookup service's proxy that knows who and of which group it is, and nothing else. */
-final class FakeRegistrar implements ServiceRegistrar, Serializable {
+/** A lookup service's proxy that knows its service ID and its group, and nothing else. */
+public final class FakeRegistrar implements ServiceRegistrar, Serializable {
 
   private static final long serialVersionUID = 1L;
 
   private final long id;
   private final String group;
 
-  FakeRegistrar(long id, String group) {
+  /** Two of one service ID and different groups are different lookup services. */
+  public FakeRegistrar(long id, String group) {
     this.id = id;
     this.group = group;
+  }
+
+  /** The lookup service as it is found at an address. */
+  public LocatedRegistrar at(String address, int port) throws IOException {
+    return new LocatedRegistrar(
+        this, new MarshalledInstance(this), new InetSocketAddress(address, port));
   }
 
   @Override

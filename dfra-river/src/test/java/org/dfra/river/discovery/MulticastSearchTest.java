@@ -2,6 +2,7 @@ package org.dfra.river.discovery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import com.sun.jini.discovery.Discovery;
 import com.sun.jini.discovery.MulticastAnnouncement;
@@ -16,13 +17,14 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import net.jini.config.ConfigurationException;
 import net.jini.constraint.BasicMethodConstraints;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
-import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -39,16 +41,19 @@ class MulticastSearchTest {
 
   private final BlockingQueue<String> events = new LinkedBlockingQueue<>();
   private final List<AutoCloseable> ending = new ArrayList<>();
+  private final AtomicBoolean isOutOfThreads = new AtomicBoolean();
+  private volatile LocatedRegistrar last; // that was found
   private MulticastSearch search;
 
   private final class Recording implements MulticastSearch.Listener {
     @Override
-    public void found(ServiceRegistrar registrar) {
+    public void found(LocatedRegistrar registrar) {
+      last = registrar;
       events.add("found " + registrar.getServiceID());
     }
 
     @Override
-    public void lost(ServiceRegistrar registrar) {
+    public void lost(LocatedRegistrar registrar) {
       events.add("lost " + registrar.getServiceID());
     }
   }
@@ -56,12 +61,25 @@ class MulticastSearchTest {
   @BeforeEach
   void begin() throws Exception {
     NetworkInterface[] none = {};
+    DiscoveryThreads threads = DiscoveryThreads.begin();
+    ThreadFactory usual = threads.probes().getThreadFactory();
+    threads
+        .probes()
+        .setThreadFactory(
+            task -> {
+              if (isOutOfThreads.compareAndSet(true, false)) {
+                throw new OutOfMemoryError("unable to create native thread");
+              }
+              return usual.newThread(task);
+            });
     search =
         new MulticastSearch(
             new String[] {GROUP},
-            new SuppliedConfiguration(
-                Map.of(MulticastSettings.COMPONENT + ".multicastInterfaces", () -> none)),
-            new Recording());
+            MulticastSettings.of(
+                new SuppliedConfiguration(
+                    Map.of(MulticastSettings.COMPONENT + ".multicastInterfaces", () -> none))),
+            new Recording(),
+            threads);
   }
 
   @AfterEach
@@ -162,10 +180,71 @@ class MulticastSearchTest {
     AnsweringServer server = serve(HONEST);
     announce(server, HONEST.getServiceID(), GROUP);
     assertThat(event()).startsWith("found");
-    search.discard(HONEST);
+    search.discard(last);
     assertThat(search.holds(HONEST.getServiceID())).isFalse();
     assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
     assertThat(server.asked()).isEqualTo(2);
+  }
+
+  @Test
+  void findsTheHonestOneAfterACopyOfItsServiceId() throws Exception {
+    FakeRegistrar copy = new FakeRegistrar(7, "yard"); // another proxy of the same service ID
+    byte[] answer = AnsweringServer.answer(copy, List.of(GROUP));
+    AnsweringServer stranger = serve(out -> out.write(answer));
+    AnsweringServer server = serve(HONEST);
+    announce(stranger, HONEST.getServiceID(), GROUP);
+    assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
+    LocatedRegistrar first = last;
+    announce(server, HONEST.getServiceID(), GROUP);
+    assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
+    assertThat(last.place()).isEqualTo(server.host() + ":" + server.port());
+    assertThat(search.holds(last)).isTrue();
+    search.discard(first);
+    assertThat(search.holds(last)).as("after the stranger's is discarded").isTrue();
+  }
+
+  @Test
+  void aLookupServiceAtTwoPlacesIsOne() throws Exception {
+    AnsweringServer one = serve(HONEST);
+    AnsweringServer two = serve(HONEST);
+    announce(one, HONEST.getServiceID(), GROUP);
+    assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
+    announce(two, HONEST.getServiceID(), GROUP);
+    AnsweringServer after = serve(new FakeRegistrar(8, GROUP));
+    announce("localhost", after.port(), new ServiceID(0, 8), GROUP);
+    assertThat(event()).isEqualTo("found " + new ServiceID(0, 8));
+    await().atMost(Duration.ofSeconds(PATIENCE_SECONDS)).until(() -> two.asked() == 1);
+    search.discard(last);
+    assertThat(event()).as("nothing meanwhile").isEqualTo("found " + new ServiceID(0, 8));
+  }
+
+  @Test
+  void oneAddressTakesAPartOfThePlacesOnly() throws Exception {
+    FoundRegistrars found = new FoundRegistrars();
+    for (int i = 0; i < FoundRegistrars.PER_ADDRESS; i++) {
+      LocatedRegistrar each = new FakeRegistrar(7, "copy " + i).at("127.0.0.66", i);
+      assertThat(found.isRoomFor(each)).isTrue();
+      assertThat(found.add(new FoundRegistrar(each, "127.0.0.66", List.of(), 0))).isTrue();
+    }
+    assertThat(found.isRoomFor(new FakeRegistrar(7, "one more").at("127.0.0.66", 1))).isFalse();
+    assertThat(found.isRoomFor(new FakeRegistrar(7, "copy 0").at("127.0.0.66", 1)))
+        .as("it is found already")
+        .isTrue();
+    assertThat(found.isRoomFor(HONEST.at("127.0.0.1", 1))).isTrue();
+    for (int i = found.all().size(); i < FoundRegistrars.MOST; i++) {
+      LocatedRegistrar each = new FakeRegistrar(7, "more " + i).at("127.0.1." + i, 1);
+      assertThat(found.add(new FoundRegistrar(each, "127.0.1." + i, List.of(), 0))).isTrue();
+    }
+    assertThat(found.isRoomFor(HONEST.at("127.0.0.1", 1))).as("the bound in all").isFalse();
+  }
+
+  @Test
+  void asksAgainWhereNoThreadCouldBeStarted() throws Exception {
+    AnsweringServer server = serve(HONEST);
+    isOutOfThreads.set(true);
+    announce(server, HONEST.getServiceID(), GROUP);
+    assertThat(isOutOfThreads).as("the failure was met").isFalse();
+    assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
   }
 
   @Test

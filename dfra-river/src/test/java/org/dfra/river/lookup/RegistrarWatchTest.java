@@ -3,7 +3,9 @@ package org.dfra.river.lookup;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.IOException;
 import java.lang.reflect.Proxy;
+import java.net.InetSocketAddress;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -24,9 +26,11 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.export.Exporter;
+import net.jini.io.MarshalledInstance;
 import org.dfra.core.directory.CachedModuleDirectory;
 import org.dfra.core.directory.ModuleTable;
 import org.dfra.directory.Locality;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -96,7 +100,7 @@ class RegistrarWatchTest {
     }
   }
 
-  private RegistrarWatch watch() {
+  private RegistrarWatch watch() throws IOException {
     DirectorySettings usual = DirectorySettings.of("127.0.0.1", List.of(), List.of());
     DirectorySettings settings =
         new DirectorySettings(
@@ -122,7 +126,8 @@ class RegistrarWatchTest {
           }
         };
     return new RegistrarWatch(
-        registrar(),
+        new LocatedRegistrar(
+            registrar(), new MarshalledInstance("a proxy"), new InetSocketAddress("127.0.0.1", 1)),
         new Sightings(new Nothing().known(), (module, attributes) -> Locality.REMOTE),
         settings,
         InstantSource.system(),

@@ -1,0 +1,76 @@
+package org.dfra.river.discovery;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import net.jini.core.lookup.ServiceID;
+
+/**
+ * The lookup services that a {@link MulticastSearch} has found, whose lock guards this. Several may
+ * claim one service ID. Their number is bounded, in all and for each address.
+ */
+final class FoundRegistrars {
+
+  /** Most lookup services in all. */
+  static final int MOST = AnnouncedHosts.REMEMBERED;
+
+  /** Most of one address, so that no single computer takes all places. */
+  static final int PER_ADDRESS = MOST / 2;
+
+  private final Map<LocatedRegistrar, FoundRegistrar> found = new LinkedHashMap<>();
+
+  /** The service IDs that they claim, each once. */
+  Collection<ServiceID> identities() {
+    return found.keySet().stream().map(LocatedRegistrar::getServiceID).distinct().toList();
+  }
+
+  /** All of them, as they are now. */
+  List<FoundRegistrar> all() {
+    return List.copyOf(found.values());
+  }
+
+  /**
+   * Those that claim a service ID and were found at a host.
+   *
+   * @param host as it was announced, or the address that answered
+   */
+  List<FoundRegistrar> of(ServiceID id, String host) {
+    return found.values().stream()
+        .filter(each -> each.registrar.getServiceID().equals(id) && each.host.equals(host))
+        .toList();
+  }
+
+  boolean contains(LocatedRegistrar registrar) {
+    return found.containsKey(registrar);
+  }
+
+  /** Whether it is found already, or may be found too. */
+  boolean isRoomFor(LocatedRegistrar registrar) {
+    if (found.containsKey(registrar)) {
+      return true;
+    }
+    long there =
+        found.keySet().stream().filter(each -> each.address().equals(registrar.address())).count();
+    return there < PER_ADDRESS && found.size() < MOST;
+  }
+
+  /** Adds one; false where it is found already. */
+  boolean add(FoundRegistrar registrar) {
+    return found.putIfAbsent(registrar.registrar, registrar) == null;
+  }
+
+  /** Removes one; false where it was not there. */
+  boolean remove(LocatedRegistrar registrar) {
+    return found.remove(registrar) != null;
+  }
+
+  /** The same, unless it was found anew meanwhile. */
+  boolean remove(FoundRegistrar registrar) {
+    return found.remove(registrar.registrar, registrar);
+  }
+
+  void clear() {
+    found.clear();
+  }
+}
