@@ -10,6 +10,7 @@ final class FoundRegistrar {
   Collection<String> groups; // guarded by the search, as the following
   long seenAt; // nanoseconds of the system, as the following
   long checkedAt;
+  boolean isBeingChecked;
 
   FoundRegistrar(LocatedRegistrar registrar, String host, Collection<String> groups, long now) {
     this.registrar = registrar;

@@ -32,9 +32,9 @@ import org.slf4j.LoggerFactory;
  * copy: those that claim one service ID are all found, see {@link LocatedRegistrar}.
  *
  * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
- * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; one {@code
- * dfra-discovery-check}, which asks those that were found for their groups, where these may have
- * changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
+ * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; as
+ * many {@code dfra-discovery-check}, which ask those that were found for their groups, where these
+ * may have changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
  * ResponseListener}.
  */
 public final class MulticastSearch implements AutoCloseable {
@@ -357,9 +357,10 @@ public final class MulticastSearch implements AutoCloseable {
   /** Has a lookup service asked for its groups, unless it was just now. */
   private synchronized void check(FoundRegistrar which) {
     long now = System.nanoTime();
-    if (!closed && now - which.checkedAt > BETWEEN_CHECKS.toNanos()) {
+    boolean isDue = now - which.checkedAt > BETWEEN_CHECKS.toNanos();
+    if (!closed && isDue && !which.isBeingChecked) {
       which.checkedAt = now;
-      boolean unused = threads.check(() -> askForGroups(which)); // if not, the next time
+      which.isBeingChecked = threads.check(() -> askForGroups(which)); // if not, the next time
     }
   }
 
@@ -381,7 +382,13 @@ public final class MulticastSearch implements AutoCloseable {
         }
       }
       dispatch();
+    } finally {
+      endCheck(which);
     }
+  }
+
+  private synchronized void endCheck(FoundRegistrar which) {
+    which.isBeingChecked = false;
   }
 
   /** Ends the search. Probes that are under way end by their deadlines. Idempotent. */
