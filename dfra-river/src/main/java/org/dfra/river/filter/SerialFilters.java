@@ -109,9 +109,26 @@ public final class SerialFilters {
    * @param method the method called; the package of its result is allowed too
    */
   public static ObjectInputStream guardResult(ObjectInputStream in, Method method) {
+    return guardResult(in, method, resultLimits());
+  }
+
+  /**
+   * Filters the result of one call, on the stream it will be read from.
+   *
+   * @param in a stream that nothing was read from
+   * @param method the method called; the package of its result is allowed too
+   * @param limits how large the result may be
+   */
+  public static ObjectInputStream guardResult(
+      ObjectInputStream in, Method method, SerialLimits limits) {
     in.setObjectInputFilter(
-        new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
+        new GraphFilter(limits, Configured.TYPES.with(List.of(method.getReturnType()))));
     return in;
+  }
+
+  /** How large the result of a call may be where nothing else is said. */
+  public static SerialLimits resultLimits() {
+    return Configured.STREAM;
   }
 
   /**
@@ -188,6 +205,15 @@ public final class SerialFilters {
    * before anything of it is built.
    */
   public static OutboundRequest bounded(OutboundRequest request) {
-    return new BoundedResponse(request, Configured.STREAM);
+    return bounded(request, resultLimits());
+  }
+
+  /**
+   * The same.
+   *
+   * @param limits how large the answer may be
+   */
+  public static OutboundRequest bounded(OutboundRequest request, SerialLimits limits) {
+    return new BoundedResponse(request, limits);
   }
 }
