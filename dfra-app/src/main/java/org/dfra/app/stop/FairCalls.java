@@ -21,15 +21,13 @@ import org.jspecify.annotations.Nullable;
  * being called.
  *
  * <pre>
- *   lookup services in turn --&gt; their robots in turn --&gt; a robot's calls in order
+ *   lookup services, round robin --&gt; their robots, round robin --&gt; a robot's calls, in order
  *       --&gt; a place, for a quarter of a second at the most --&gt; the answer, or the end of patience
  * </pre>
  *
  * <p>A call begins when it gets one of the places, of which the calls of one lookup service have a
  * part only. A call that takes long goes on without its place. One that is not answered in time is
- * interrupted. Lookup services and robots are told apart because a stranger cannot add to the calls
- * of another lookup service or robot without waiting its turn; the address in a proxy would not do,
- * as its sender chooses it.
+ * interrupted. The address in a proxy is no source of calls here, since its sender chooses it.
  *
  * <p>Threads: {@code dfra-stop}, one for each call under way, and {@code dfra-stop-timer}; from the
  * first call to {@link #close}, which abandons what is still under way.
@@ -119,7 +117,7 @@ final class FairCalls implements AutoCloseable {
   }
 
   /**
-   * Makes a call as soon as it is its turn.
+   * Makes a call as soon as there is a place for it.
    *
    * @param registrar the lookup service that lists what is called
    * @param robot the robot that it is listed for
@@ -157,7 +155,7 @@ final class FairCalls implements AutoCloseable {
     }
   }
 
-  /** Takes the call whose turn it is, if one may begin. */
+  /** Takes the call that is next, if one may begin. */
   private @Nullable Call next() {
     if (places >= limits.places()) {
       return null;

@@ -150,11 +150,11 @@ class DiscoveredPhoenixTest {
 
   @Test
   void oneThatTakesAnIdentityUnderAnotherPathHidesNoEffector() {
-    EffectorStop renamed = new EffectorStop(ID, "evil/drive", false, STATE, null);
+    EffectorStop renamed = new EffectorStop(ID, "forged/drive", false, STATE, null);
     StopMerge.Claim real = listed(ROBOT, Result.NOT_STOPPED);
-    assertThat(merged(List.of(real), reported(STRANGER, FOUND, List.of("evil"), renamed)))
+    assertThat(merged(List.of(real), reported(STRANGER, FOUND, List.of("forged"), renamed)))
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
-            tuple("evil/drive", Result.DOUBTFUL), tuple(PATH, Result.NOT_STOPPED));
+            tuple("forged/drive", Result.DOUBTFUL), tuple(PATH, Result.NOT_STOPPED));
   }
 }

@@ -41,7 +41,7 @@ class FairCallsTest {
   }
 
   /** As a connection that is not interruptible. */
-  private Outcome beDeaf() {
+  private Outcome ignoreInterrupts() {
     boolean isOver = false;
     while (!isOver) {
       try {
@@ -84,7 +84,7 @@ class FairCallsTest {
   }
 
   @Test
-  void robotsOfOneLookupServiceTakeTurns() throws Exception {
+  void robotsOfOneLookupServiceAreCalledRoundRobin() throws Exception {
     FairCalls.Limits one = new FairCalls.Limits(1, 1, 100, 1, LONG, LONG);
     CountDownLatch first = new CountDownLatch(1);
     try (FairCalls calls = new FairCalls(one, LONG)) {
@@ -110,7 +110,7 @@ class FairCallsTest {
   @Test
   void aCallThatIsNotAnsweredInTimeIsInterrupted() throws Exception {
     try (FairCalls calls = new FairCalls(FairCalls.Limits.USUAL, BRIEF)) {
-      CompletableFuture<Outcome> answer = calls.call(STRANGERS, "fake", this::beDeaf);
+      CompletableFuture<Outcome> answer = calls.call(STRANGERS, "fake", this::ignoreInterrupts);
       assertThatThrownBy(() -> answer.get(20, TimeUnit.SECONDS))
           .isInstanceOf(ExecutionException.class)
           .hasCauseInstanceOf(TimeoutException.class);
