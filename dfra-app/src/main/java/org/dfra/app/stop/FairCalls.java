@@ -45,12 +45,7 @@ final class FairCalls implements AutoCloseable {
    * @param longestWait for how long a call waits to begin; then it is not made
    */
   record Limits(
-      int places,
-      int placesOfOne,
-      int threads,
-      int reserved,
-      Duration hold,
-      Duration longestWait) {
+      int places, int placesOfOne, int threads, int reserved, Duration hold, Duration longestWait) {
 
     /** 512 silent calls of one lookup service begin in a second. */
     static final Limits USUAL =

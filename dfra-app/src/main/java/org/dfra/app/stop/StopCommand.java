@@ -133,8 +133,7 @@ public final class StopCommand implements Callable<Integer> {
             this::say,
             new StopMerge(by, this::running))) {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
-      PhoenixAddresses addresses =
-          new PhoenixAddresses(options, phoenixes, InetAddress::getByName);
+      PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes, InetAddress::getByName);
       Phoenixes orders = new Phoenixes(round, addresses);
       if (!release) { // before all else: it needs no lookup service and no class of others
         addresses.configured(silent::add).forEach(each -> orders.send(each, Origin.NAMED));

@@ -89,8 +89,7 @@ class StopMergeTest {
     EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
     assertThat(merge.merge(List.of(), Map.of(PATH, List.of(stopped())), confirmations(mute)))
         .containsExactly(stopped());
-    assertThat(
-            merge.merge(List.of(claim()), Map.of(PATH, List.of(stopped())), confirmations()))
+    assertThat(merge.merge(List.of(claim()), Map.of(PATH, List.of(stopped())), confirmations()))
         .as("one effector, reached in two ways")
         .containsExactly(stopped());
   }
