@@ -51,6 +51,28 @@ class HostAddressTest {
     assertThat(HostAddress.resolve(own)).isEqualTo(own);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"192.0.2.7", "255.0.0.255", "2001:db8::7", "::1"})
+  void anAddressInDigitsNeedsNoNameService(String text) throws Exception {
+    assertThat(HostAddress.literal(text)).contains(InetAddress.getByName(text));
+    assertThat(HostAddress.isName(text)).isFalse();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "robot", "1.2.3", "256.0.0.1", "1.2.3.4.", "x::1", "1234", "[::1]"})
+  void everythingElseIsNoAddress(String text) {
+    assertThat(HostAddress.literal(text)).isEmpty();
+    assertThat(HostAddress.isName(text)).isTrue();
+  }
+
+  @Test
+  void whereItMustNotTakeLongANameIsNotVerifiedAndAnAddressIs() {
+    assertThat(HostAddress.resolveAtOnce("no-such-host.invalid")).isEqualTo("no-such-host.invalid");
+    assertThat(HostAddress.resolveAtOnce("auto")).isEqualTo(HostAddress.resolve("auto"));
+    assertThatThrownBy(() -> HostAddress.resolveAtOnce("203.0.113.9"))
+        .isInstanceOf(ConfigurationException.class);
+  }
+
   @Test
   void aNameThatNobodyKnowsIsRefused() {
     assertThatThrownBy(() -> HostAddress.resolve("no-such-host.invalid"))

@@ -5,56 +5,93 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import org.dfra.river.phoenix.stop.EffectorStop;
-import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 
 /**
- * What the phoenixes that were asked say, put together.
- *
- * @param stops what each effector answered to its phoenix, by its identity: of several answers of
- *     one phoenix one that confirms the stop; of several phoenixes, of which all but one are false,
- *     one that does not
- * @param robots names of the robots that have a group on a phoenix that answered
- * @param unconfirmed groups that did not answer their phoenix at last
- * @param silent where a phoenix may run that did not answer, as {@code host:port}
+ * What the phoenixes that were asked say, put together. A phoenix that is configured is believed. A
+ * lookup service that discovery found, which may be a stranger's, may name any computer as its own:
+ * the word of a phoenix there counts no more than that of a proxy ({@link #doubtOf(EffectorStop,
+ * List)}).
  */
-record Confirmations(
-    Map<UUID, EffectorStop> stops,
-    Set<String> robots,
-    List<UnconfirmedGroup> unconfirmed,
-    List<String> silent) {
+final class Confirmations {
+
+  /** An effector as a phoenix names it that discovery named: of one identity there may be two. */
+  private record Named(UUID id, String path) {}
+
+  private final List<PhoenixAnswer> answers;
+  private final Map<UUID, EffectorStop> stops = new LinkedHashMap<>();
+  private final Map<Named, EffectorStop> discovered = new LinkedHashMap<>();
+  private final Set<String> robots = new TreeSet<>();
+  private final List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
 
   /**
-   * Those of several phoenixes.
-   *
-   * @param reports for each phoenix what it reported, the last report last
-   * @param silent where none answered
+   * @param answers of each phoenix
    */
-  static Confirmations of(Collection<List<StopReport>> reports, List<String> silent) {
-    Map<UUID, EffectorStop> stops = new LinkedHashMap<>();
-    Set<String> robots = new TreeSet<>();
-    List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
-    for (List<StopReport> ofOne : reports) {
-      Map<UUID, EffectorStop> its = new LinkedHashMap<>();
-      for (StopReport report : ofOne) {
-        robots.addAll(report.robots());
-        for (EffectorStop stop : report.effectors()) {
-          its.merge(
-              stop.id(), stop, (old, now) -> old.isConfirmed() && !now.isConfirmed() ? old : now);
-        }
-      }
-      its.forEach(
-          (id, stop) -> stops.merge(id, stop, (one, other) -> one.isConfirmed() ? other : one));
-      if (!ofOne.isEmpty()) {
-        unconfirmed.addAll(ofOne.get(ofOne.size() - 1).unconfirmed());
+  Confirmations(Collection<PhoenixAnswer> answers) {
+    this.answers = List.copyOf(answers);
+    for (PhoenixAnswer each : answers) {
+      robots.addAll(each.robots());
+      unconfirmed.addAll(each.unconfirmed());
+      if (each.isConfigured()) {
+        each.stops().forEach((id, stop) -> stops.merge(id, stop, Confirmations::worse));
       }
     }
-    return new Confirmations(stops, robots, unconfirmed, silent);
+    for (PhoenixAnswer each : answers) {
+      if (!each.isConfigured()) {
+        for (EffectorStop stop : each.stops().values()) {
+          if (!stops.containsKey(stop.id())) {
+            discovered.merge(new Named(stop.id(), stop.path()), stop, Confirmations::worse);
+          }
+        }
+      }
+    }
+  }
+
+  /** All but one may be false. */
+  private static EffectorStop worse(EffectorStop one, EffectorStop other) {
+    return one.isConfirmed() ? other : one;
+  }
+
+  /**
+   * What each effector answered to its phoenix, if one is configured that knows it, by its
+   * identity. Of several phoenixes one counts that does not confirm the stop.
+   */
+  Map<UUID, EffectorStop> stops() {
+    return stops;
+  }
+
+  /**
+   * What phoenixes say of other effectors that discovery named. Of several that give an effector
+   * the same path one counts that does not confirm the stop.
+   */
+  Collection<EffectorStop> discovered() {
+    return discovered.values();
+  }
+
+  /** Groups that did not answer their phoenix at last. */
+  List<UnconfirmedGroup> unconfirmed() {
+    return unconfirmed;
+  }
+
+  /** Where a phoenix may run that did not answer, as {@code host:port}. */
+  List<String> silent() {
+    return addresses(answers.stream().filter(PhoenixAnswer::isSilent).toList());
+  }
+
+  private static List<String> addresses(List<PhoenixAnswer> of) {
+    return of.stream().map(each -> each.address().toString()).toList();
+  }
+
+  /** Whether a phoenix reports an effector that a lookup service lists. */
+  boolean knows(UUID id, String path) {
+    return stops.containsKey(id) || discovered.containsKey(new Named(id, path));
   }
 
   /**
@@ -64,6 +101,7 @@ record Confirmations(
    * @param robot name of the robot that the proxy is registered for
    */
   Optional<String> doubtOf(String robot) {
+    List<String> silent = silent();
     if (robots.contains(robot)) {
       return Optional.of(
           "its proxy says that it is stopped, and the phoenix of its robot does not confirm that");
@@ -75,8 +113,74 @@ record Confirmations(
     return Optional.empty();
   }
 
+  /**
+   * Why the word of phoenixes that only discovery named does not count as the stop of an effector.
+   * It counts where
+   *
+   * <ul>
+   *   <li>no configured phoenix has a robot of that name, and none is silent,
+   *   <li>a lookup service of such a phoenix's own computer lists the effector, and
+   *   <li>for each lookup service that lists its identity, the phoenix of that computer confirms
+   *       the stop too; or, where none runs there that has the robot, the effector's proxy from
+   *       there.
+   * </ul>
+   *
+   * @param stop what they confirm
+   * @param listings of its identity, one for each lookup service that lists it
+   * @return a clause; empty where it counts
+   */
+  Optional<String> doubtOf(EffectorStop stop, List<StopMerge.Claim> listings) {
+    return objection(stop, listings)
+        .map(
+            objection ->
+                "phoenix at "
+                    + answers.stream()
+                        .filter(each -> each.confirms(stop.id(), stop.path()))
+                        .map(each -> each.address().toString())
+                        .collect(Collectors.joining(", "))
+                    + ", which only discovery named, says that it is stopped, and "
+                    + objection
+                    + "; name its robot's phoenix with --phoenix or DFRA_PHOENIX");
+  }
+
+  private Optional<String> objection(EffectorStop stop, List<StopMerge.Claim> listings) {
+    List<PhoenixAnswer> configured = answers.stream().filter(PhoenixAnswer::isConfigured).toList();
+    if (configured.stream().anyMatch(each -> each.robots().contains(stop.robot()))) {
+      return Optional.of("the configured phoenix of its robot does not");
+    }
+    List<PhoenixAnswer> silent = configured.stream().filter(PhoenixAnswer::isSilent).toList();
+    if (!silent.isEmpty()) {
+      return Optional.of(
+          "none of the configured ones answers at " + String.join(", ", addresses(silent)));
+    }
+    boolean isListedThere = false;
+    for (StopMerge.Claim listing : listings) {
+      List<PhoenixAnswer> there =
+          answers.stream()
+              .filter(each -> Objects.equals(each.address().host(), listing.host()))
+              .toList();
+      if (there.stream().anyMatch(each -> each.confirms(stop.id()))) {
+        isListedThere |=
+            listing.path().equals(stop.path())
+                && there.stream().anyMatch(each -> each.confirms(stop.id(), stop.path()));
+      } else if (there.stream()
+          .anyMatch(each -> each.isSilent() || each.robots().contains(listing.robot()))) {
+        return Optional.of(
+            "the phoenix at " + listing.host() + ", where it is listed too, does not");
+      } else if (!listing.outcome().result().isWell()) {
+        return Optional.of(
+            "its proxy from another lookup service does not: " + listing.outcome().reason());
+      }
+    }
+    return isListedThere
+        ? Optional.empty()
+        : Optional.of("no lookup service of that computer lists it");
+  }
+
   /** Whether every effector and group that a phoenix knows has confirmed its stop. */
   boolean isComplete() {
-    return unconfirmed.isEmpty() && stops.values().stream().allMatch(EffectorStop::isConfirmed);
+    return unconfirmed.isEmpty()
+        && stops.values().stream().allMatch(EffectorStop::isConfirmed)
+        && discovered.values().stream().allMatch(EffectorStop::isConfirmed);
   }
 }

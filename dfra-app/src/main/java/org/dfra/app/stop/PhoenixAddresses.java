@@ -6,6 +6,7 @@ import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
+import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,6 +14,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.stop.StopLocator;
 import org.jspecify.annotations.Nullable;
@@ -21,22 +23,80 @@ import org.jspecify.annotations.Nullable;
  * Where the phoenixes of known robots run: by configuration (the state folder of this computer, an
  * option, a variable, the hosts of named lookup services) and by discovery (the hosts of the lookup
  * services that were found). Never by an entry, which anybody may register.
+ *
+ * <p>Only {@link #located} asks a name service, which may not answer for long; it is called on the
+ * thread of one order.
  */
 final class PhoenixAddresses {
 
   private static final String VARIABLE = "DFRA_PHOENIX";
   private static final int LARGEST_PORT = 65535;
 
+  /** Longest name of a computer, RFC 1035. */
+  private static final int LONGEST_HOST = 253;
+
+  /** Asks for the address of a name. */
+  interface NameService {
+    /** The address. May wait. */
+    InetAddress address(String name) throws UnknownHostException;
+  }
+
+  /** By what a phoenix is known. */
+  enum Origin {
+    /** It is of the state folder, or the operator named it. */
+    NAMED(true) {
+      @Override
+      boolean isLeftOut(InetAddress address) {
+        return false;
+      }
+    },
+    /**
+     * The operator named the lookup service of its computer. That of a loopback address is left
+     * out: where several users or tests simulate robots on one computer, it may be another one's.
+     */
+    LOCATOR(true) {
+      @Override
+      boolean isLeftOut(InetAddress address) {
+        return address.isLoopbackAddress();
+      }
+    },
+    /**
+     * A lookup service that was found says that it runs there. This computer is left out: nobody
+     * named its other phoenixes.
+     */
+    DISCOVERY(false) {
+      @Override
+      boolean isLeftOut(InetAddress address) {
+        return OwnAddresses.ofThisComputer().contain(address);
+      }
+    };
+
+    private final boolean isConfigured;
+
+    Origin(boolean isConfigured) {
+      this.isConfigured = isConfigured;
+    }
+
+    /** Whether the operator vouches for it. */
+    boolean isConfigured() {
+      return isConfigured;
+    }
+
+    abstract boolean isLeftOut(InetAddress address);
+  }
+
   private final TeamOptions options;
   private final List<String> named;
+  private final NameService names;
 
   /**
    * @param named those of the command line, {@code host} or {@code host:port} each; null for those
    *     of the environment
    */
-  PhoenixAddresses(TeamOptions options, String @Nullable [] named) {
+  PhoenixAddresses(TeamOptions options, String @Nullable [] named, NameService names) {
     this.options = options;
     this.named = named == null ? ofEnvironment() : List.of(named);
+    this.names = names;
   }
 
   /**
@@ -101,31 +161,51 @@ final class PhoenixAddresses {
     }
   }
 
-  /** Those of the computers of the lookup services that were named. May wait for their names. */
+  /** Those of the computers of the lookup services that were named, at the usual port. */
   List<Address> ofLocators() {
     return options.namedLocators().stream()
         .flatMap(each -> parse(each).stream())
-        .flatMap(each -> ofRegistrar(each.host()).stream())
+        .flatMap(each -> at(each.host(), Origin.LOCATOR).stream())
+        .distinct()
         .toList();
   }
 
   /**
-   * That of the computer on which a lookup service runs, at the usual port. Empty for this
-   * computer: its phoenix is the one of the state folder.
+   * That of the computer on which a lookup service runs that was found, at the usual port. Empty
+   * for this computer, and where no computer can have that name.
    *
-   * @param host where the lookup service says that it runs
+   * @param host where the lookup service says that it runs, an address or a name
    */
   Optional<Address> ofRegistrar(String host) {
-    return isHere(host)
+    return host.isEmpty() || host.length() > LONGEST_HOST
+        ? Optional.empty()
+        : at(host, Origin.DISCOVERY);
+  }
+
+  /** A name is kept until it is {@link #located}. */
+  private static Optional<Address> at(String host, Origin origin) {
+    return HostAddress.literal(host).filter(origin::isLeftOut).isPresent()
         ? Optional.empty()
         : Optional.of(new Address(host, StopLocator.DEFAULT_PORT));
   }
 
-  private static boolean isHere(String host) {
+  /**
+   * Where a phoenix is ordered. Where its computer has a name, this may wait for a name service.
+   *
+   * @return its address; empty where the name is one of this computer, and it is left out
+   * @throws java.rmi.UnknownHostException if the name has no address
+   */
+  Optional<Address> located(Address address, Origin origin) throws RemoteException {
+    if (origin == Origin.NAMED || HostAddress.literal(address.host()).isPresent()) {
+      return Optional.of(address);
+    }
     try {
-      return OwnAddresses.ofThisComputer().contain(InetAddress.getByName(host));
+      InetAddress its = names.address(address.host());
+      return origin.isLeftOut(its)
+          ? Optional.empty()
+          : Optional.of(new Address(its.getHostAddress(), address.port()));
     } catch (UnknownHostException e) {
-      return false;
+      throw new java.rmi.UnknownHostException("no address of " + address.host() + " is known", e);
     }
   }
 

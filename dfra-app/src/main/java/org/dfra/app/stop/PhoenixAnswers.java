@@ -11,6 +11,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.dfra.app.stop.PhoenixAddresses.Address;
 import org.dfra.river.call.Refusal;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
@@ -19,7 +20,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Orders every known phoenix to stop what it runs, each on a thread of its own and at once: no
- * lookup service and no proxy is needed for it.
+ * lookup service and no proxy is needed for it. Those that are configured are all ordered; of those
+ * that only discovery named, {@value #LIMIT}.
  *
  * <p>A refused connection proves that no phoenix runs there. Anything else but a report is silence,
  * which proves nothing.
@@ -28,13 +30,17 @@ final class PhoenixAnswers {
 
   private static final Logger LOG = LoggerFactory.getLogger(PhoenixAnswers.class);
 
-  /** Addresses that are asked; anybody may announce lookup services on further computers. */
+  /** Addresses of discovery that are asked; anybody may announce further ones. */
   private static final int LIMIT = 64;
 
   /** How one phoenix is ordered. */
   interface Order {
-    /** Stops what is wanted. */
-    StopReport stop() throws RemoteException;
+    /**
+     * Stops what is wanted. It may wait for a name service.
+     *
+     * @return what has become of it; null where there is nothing to ask
+     */
+    @Nullable StopReport stop() throws RemoteException;
   }
 
   private enum Kind {
@@ -45,11 +51,15 @@ final class PhoenixAnswers {
 
   /** One phoenix, and its answers so far. */
   private static final class Asked {
+    final Address address;
+    final boolean isConfigured;
     final Order order;
     final List<StopReport> reports = new ArrayList<>(); // guarded by the outer object
     CompletableFuture<Kind> last = new CompletableFuture<>(); // guarded by the outer object
 
-    Asked(Order order) {
+    Asked(Address address, boolean isConfigured, Order order) {
+      this.address = address;
+      this.isConfigured = isConfigured;
       this.order = order;
     }
   }
@@ -57,13 +67,13 @@ final class PhoenixAnswers {
   private final Duration patience;
   private final Executor threads;
   private final Consumer<StopReport> reported;
-  private final Map<String, Asked> asked = new LinkedHashMap<>(); // guarded by this
-  private @Nullable String unasked; // the first of those that are too many; guarded by this
+  private final Map<Address, Asked> asked = new LinkedHashMap<>(); // guarded by this
+  private @Nullable Address unasked; // the first of those that are too many; guarded by this
 
   /**
    * @param patience for one of two tries
    * @param threads runs each order at once
-   * @param reported is given each report as it comes, by any thread
+   * @param reported is given each report of a configured phoenix as it comes, by any thread
    */
   PhoenixAnswers(Duration patience, Executor threads, Consumer<StopReport> reported) {
     this.patience = patience;
@@ -72,22 +82,23 @@ final class PhoenixAnswers {
   }
 
   /**
-   * Orders a phoenix, once.
+   * Orders a phoenix, once. Name all that are configured before those of discovery.
    *
-   * @param address {@code host:port}
+   * @param isConfigured whether the operator named it, or its computer
    */
-  synchronized void ask(String address, Order order) {
+  synchronized void ask(Address address, boolean isConfigured, Order order) {
     if (asked.containsKey(address)) {
       return;
     }
-    if (asked.size() >= LIMIT) {
+    long discovered = asked.values().stream().filter(each -> !each.isConfigured).count();
+    if (!isConfigured && discovered >= LIMIT) {
       if (unasked == null) {
         unasked = address;
         LOG.warn("No phoenix is asked at {} and further addresses: {} were asked.", address, LIMIT);
       }
       return;
     }
-    Asked one = new Asked(order);
+    Asked one = new Asked(address, isConfigured, order);
     one.last = twice(one);
     asked.put(address, one);
   }
@@ -115,11 +126,16 @@ final class PhoenixAnswers {
     return CompletableFuture.supplyAsync(
             () -> {
               try {
-                StopReport report = one.order.stop();
+                @Nullable StopReport report = one.order.stop();
+                if (report == null) {
+                  return Kind.ABSENT;
+                }
                 synchronized (this) { // also one that comes too late to be awaited
                   one.reports.add(report);
                 }
-                reported.accept(report);
+                if (one.isConfigured) {
+                  reported.accept(report);
+                }
                 return Kind.REPORTED;
               } catch (RemoteException e) {
                 throw new CompletionException(e);
@@ -146,19 +162,15 @@ final class PhoenixAnswers {
 
   /** What they say by now. */
   synchronized Confirmations now() {
-    List<List<StopReport>> reports = new ArrayList<>();
-    List<String> silent = new ArrayList<>();
-    asked.forEach(
-        (address, one) -> {
-          reports.add(List.copyOf(one.reports));
-          if (one.reports.isEmpty() && one.last.getNow(Kind.SILENT) == Kind.SILENT) {
-            silent.add(address);
-          }
-        });
-    @Nullable String further = unasked;
-    if (further != null) {
-      silent.add(further); // it may run what nobody else confirms
+    List<PhoenixAnswer> answers = new ArrayList<>();
+    for (Asked one : asked.values()) {
+      boolean isSilent = one.reports.isEmpty() && one.last.getNow(Kind.SILENT) == Kind.SILENT;
+      answers.add(PhoenixAnswer.of(one.address, one.isConfigured, isSilent, one.reports));
     }
-    return Confirmations.of(reports, silent);
+    @Nullable Address further = unasked;
+    if (further != null) { // it may run what nobody else confirms
+      answers.add(PhoenixAnswer.of(further, false, true, List.of()));
+    }
+    return new Confirmations(answers);
   }
 }

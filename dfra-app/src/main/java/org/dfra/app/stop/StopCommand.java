@@ -1,6 +1,7 @@
 package org.dfra.app.stop;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
@@ -13,11 +14,15 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.dfra.app.stop.Outcome.Result;
+import org.dfra.app.stop.PhoenixAddresses.Address;
+import org.dfra.app.stop.PhoenixAddresses.Origin;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.ExitCode;
@@ -32,6 +37,7 @@ import org.dfra.river.call.Refusal;
 import org.dfra.river.lookup.EffectorSearch;
 import org.dfra.river.lookup.ListedEffector;
 import org.dfra.river.phoenix.stop.StopLocator;
+import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -119,7 +125,7 @@ public final class StopCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
     }
-    by = requester();
+    by = requester(System.getProperty("user.name", "somebody"), options.wantedHost());
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED,
@@ -127,14 +133,15 @@ public final class StopCommand implements Callable<Integer> {
             this::say,
             new StopMerge(by, this::running))) {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
-      PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes);
+      PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes, InetAddress::getByName);
+      Phoenixes orders = new Phoenixes(round, addresses);
       if (!release) { // before all else: it needs no lookup service and no class of others
-        addresses.configured(silent::add).forEach(each -> order(round, each));
-        round.findLocal(() -> addresses.ofLocators().forEach(each -> order(round, each)));
+        addresses.configured(silent::add).forEach(each -> orders.send(each, Origin.NAMED));
+        addresses.ofLocators().forEach(each -> orders.send(each, Origin.LOCATOR));
       }
       round.findLocal(() -> callLocal(round));
       try {
-        silent.addAll(callListed(round, addresses));
+        silent.addAll(callListed(round, orders));
       } catch (IOException | RuntimeException e) { // what was called or ordered is awaited still
         LOG.debug("Lookup services cannot be searched.", e);
         silent.add("no lookup service can be looked for: " + e.getMessage());
@@ -144,7 +151,7 @@ public final class StopCommand implements Callable<Integer> {
       silent.addAll(robotsWithout(outcomes));
       if (!release) {
         addresses.configured(unused -> {}).stream()
-            .map(PhoenixAddresses.Address::toString)
+            .map(Address::toString)
             .filter(round.confirmations().silent()::contains)
             .map(
                 each ->
@@ -157,11 +164,16 @@ public final class StopCommand implements Callable<Integer> {
     }
   }
 
-  /** Who asks, as effectors keep it; an address that is set wrongly keeps nobody from stopping. */
-  private String requester() {
-    String user = System.getProperty("user.name", "somebody");
+  /**
+   * Who asks, as effectors keep it. An address that is set wrongly keeps nobody from stopping, and
+   * no name service is asked: a name is taken as it is.
+   *
+   * @param user who types the command
+   * @param host address or name of this computer, or {@code auto}
+   */
+  static String requester(String user, String host) {
     try {
-      return StopState.requesterName(user + " at " + HostAddress.resolve(options.wantedHost()));
+      return StopState.requesterName(user + " at " + HostAddress.resolveAtOnce(host));
     } catch (ConfigurationException e) { // the search for lookup services remarks it
       return StopState.requesterName(user);
     }
@@ -212,27 +224,50 @@ public final class StopCommand implements Callable<Integer> {
     }
   }
 
-  private void order(StopRound round, PhoenixAddresses.Address address) {
-    List<String> wanted = all ? List.of() : List.copyOf(robots);
-    // An address that is wrong fails there, and keeps no other from being ordered.
-    round.askPhoenix(
-        address.toString(),
-        () ->
-            StopLocator.at(address.host(), address.port(), StopRound.TRY.minus(MARGIN))
-                .emergencyStop(wanted, by));
+  /** Orders phoenixes; each is located and called on a thread of its own. */
+  private final class Phoenixes {
+
+    private final StopRound round;
+    private final PhoenixAddresses addresses;
+    private final List<String> wanted = all ? List.of() : List.copyOf(robots);
+
+    Phoenixes(StopRound round, PhoenixAddresses addresses) {
+      this.round = round;
+      this.addresses = addresses;
+    }
+
+    /** An address that is wrong fails there, and keeps no other from being ordered. */
+    void send(Address address, Origin origin) {
+      round.askPhoenix(address, origin.isConfigured(), () -> stop(address, origin));
+    }
+
+    private @Nullable StopReport stop(Address address, Origin origin) throws RemoteException {
+      Optional<Address> at = addresses.located(address, origin);
+      if (at.isEmpty()) {
+        return null;
+      }
+      return StopLocator.at(at.get().host(), at.get().port(), StopRound.TRY.minus(MARGIN))
+          .emergencyStop(wanted, by);
+    }
+
+    /** Before the round is given the lookup service: its proxies' word counts after that. */
+    void sendTo(String registrarHost) {
+      addresses.ofRegistrar(registrarHost).ifPresent(each -> send(each, Origin.DISCOVERY));
+    }
   }
 
   /** Calls each as soon as it is read; returns the named lookup services that do not answer. */
-  private List<String> callListed(StopRound round, PhoenixAddresses addresses)
+  private List<String> callListed(StopRound round, Phoenixes orders)
       throws IOException, InterruptedException {
     List<String> unasked = Collections.synchronizedList(new ArrayList<>());
     EffectorSearch.Listener listener =
         new EffectorSearch.Listener() {
           @Override
-          public void registrarAt(String host) {
+          public void registrarAt(UUID registrar, String host) {
             if (!release) {
-              addresses.ofRegistrar(host).ifPresent(each -> order(round, each));
+              orders.sendTo(host);
             }
+            round.registrarAt(registrar, host);
           }
 
           @Override

@@ -2,6 +2,7 @@ package org.dfra.app.stop;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +18,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Decides from all answers what has become of each effector. One counts as stopped when its phoenix
  * confirms it, by either way to it. The word of a proxy that a lookup service holds counts only for
- * robots that no phoenix knows: anybody may have registered it.
+ * robots that no phoenix knows: anybody may have registered it. For the word of a phoenix that only
+ * discovery named see {@link Confirmations#doubtOf(EffectorStop, List)}.
  */
 final class StopMerge {
 
@@ -33,13 +35,35 @@ final class StopMerge {
     this.running = running;
   }
 
-  /** What a proxy says that a lookup service holds. */
-  record Claim(UUID id, String path, Outcome outcome) {
+  /**
+   * What a proxy says that a lookup service holds.
+   *
+   * @param id the effector's identity
+   * @param path {@code robot/name}
+   * @param host the computer where the lookup service says that it runs; null if it is not known
+   * @param outcome what has become of the effector
+   */
+  record Claim(UUID id, String path, @Nullable String host, Outcome outcome) {
+
+    /** Name of its robot. */
+    String robot() {
+      return robotOf(path);
+    }
 
     /** The other one where all is well with this one. */
     Claim orWorse(Claim other) {
       return outcome.result().isWell() ? other : this;
     }
+  }
+
+  /**
+   * Name of an effector's robot.
+   *
+   * @param path {@code robot/name}
+   */
+  static String robotOf(String path) {
+    int slash = path.indexOf('/');
+    return slash < 0 ? "" : path.substring(0, slash);
   }
 
   /**
@@ -59,8 +83,8 @@ final class StopMerge {
   /**
    * All outcomes.
    *
-   * @param claimed what proxies say; where several have one identity and path, one counts that is
-   *     not well: all but one may be strangers'
+   * @param claimed what proxies say, one for each lookup service; where several have one identity
+   *     and path, one counts that is not well: all but one may be strangers'
    * @param local by path, what this host's effectors say that its phoenix's administrator reached
    * @param confirmations what phoenixes say
    */
@@ -68,8 +92,10 @@ final class StopMerge {
       List<Claim> claimed, Map<String, List<Outcome>> local, Confirmations confirmations) {
     Map<String, List<Outcome>> here = new LinkedHashMap<>(local);
     Map<UUID, Claim> byIdentity = new LinkedHashMap<>();
+    Map<UUID, List<Claim>> listings = new HashMap<>();
     Map<String, Claim> claims = new LinkedHashMap<>();
     for (Claim claim : claimed) {
+      listings.computeIfAbsent(claim.id(), unused -> new ArrayList<>()).add(claim);
       byIdentity.merge(claim.id(), claim, Claim::orWorse);
       claims.merge(claim.id() + " " + claim.path(), claim, Claim::orWorse);
     }
@@ -78,8 +104,17 @@ final class StopMerge {
         .stops()
         .values()
         .forEach(stop -> outcomes.add(known(stop, byIdentity.get(stop.id()), here)));
+    for (EffectorStop stop : confirmations.discovered()) {
+      Optional<Outcome> doubt =
+          ofPhoenix(stop).result().isWell()
+              ? confirmations
+                  .doubtOf(stop, listings.getOrDefault(stop.id(), List.of()))
+                  .map(why -> doubtful(ofPhoenix(stop), why))
+              : Optional.empty();
+      outcomes.add(doubt.orElseGet(() -> known(stop, byIdentity.get(stop.id()), here)));
+    }
     for (Claim claim : claims.values()) {
-      if (!confirmations.stops().containsKey(claim.id())) {
+      if (!confirmations.knows(claim.id(), claim.path())) {
         outcomes.add(unknown(claim, here, confirmations));
       }
     }
@@ -130,9 +165,7 @@ final class StopMerge {
     } else if (!outcome.result().isWell()) {
       return outcome;
     }
-    int slash = claim.path().indexOf('/');
-    String robot = slash < 0 ? "" : claim.path().substring(0, slash);
-    return confirmations.doubtOf(robot).map(why -> doubtful(outcome, why)).orElse(outcome);
+    return confirmations.doubtOf(claim.robot()).map(why -> doubtful(outcome, why)).orElse(outcome);
   }
 
   /** Takes the only outcome of that path; several of one name are several effectors. */

@@ -2,42 +2,45 @@ package org.dfra.app.stop;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.dfra.app.stop.Outcome.Result;
+import org.dfra.app.stop.PhoenixAddresses.Address;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other.
+ * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other,
+ * and thousands that are silent, which anybody may register, hold up none for long ({@link
+ * FairCalls}).
  * Where a call fails or is not answered in time, it is made once more.
  *
  * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
  * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what
  * their answers mean.
  *
- * <p>Threads: {@code dfra-stop}, one for each call under way, of calls by proxies {@value
- * #LISTED_THREADS} at the most; {@link #close} abandons those that are still not answered.
+ * <p>Threads: {@code dfra-stop}, one for each call under way; {@link #close} abandons those that
+ * are still not answered.
  */
 final class StopRound implements AutoCloseable {
 
   /** For one of two tries. A stop waits for its driver for half a second, and writes to a disk. */
   static final Duration TRY = Duration.ofSeconds(3);
-
-  /** Anybody may register proxies that never answer. */
-  private static final int LISTED_THREADS = 128;
 
   /** How often phoenixes are asked again whose groups have not confirmed. */
   private static final int ASKED_AGAIN = 2;
@@ -52,11 +55,11 @@ final class StopRound implements AutoCloseable {
   private final Consumer<Outcome> well;
   private final StopMerge merge;
   private final ExecutorService threads = Executors.newCachedThreadPool(StopRound::thread);
-  private final ExecutorService listedThreads =
-      Executors.newFixedThreadPool(LISTED_THREADS, StopRound::thread);
+  private final FairCalls listedCalls;
   private final PhoenixAnswers phoenixes;
 
   private final Map<Listing, Asked> listed = new LinkedHashMap<>(); // guarded by this
+  private final Map<UUID, Set<String>> hosts = new HashMap<>(); // by registrar; guarded by this
   private final Map<String, List<Asked>> local = new LinkedHashMap<>(); // guarded by this
   private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
   private int questions = ASKED_AGAIN; // that are left; by the thread that waits for the outcomes
@@ -73,6 +76,7 @@ final class StopRound implements AutoCloseable {
     this.patience = patience;
     this.well = well;
     this.merge = merge;
+    this.listedCalls = new FairCalls(FairCalls.Limits.USUAL, patience);
     this.phoenixes = new PhoenixAnswers(patience, threads, this::publish);
   }
 
@@ -83,12 +87,24 @@ final class StopRound implements AutoCloseable {
   }
 
   /**
-   * Orders a phoenix to stop what it runs; nothing happens where it was ordered already.
+   * Orders a phoenix to stop what it runs; nothing happens where it was ordered already. Name all
+   * that are configured before those of discovery.
    *
-   * @param address {@code host:port}
+   * @param isConfigured whether the operator named it, or its computer: its word counts
    */
-  void askPhoenix(String address, PhoenixAnswers.Order order) {
-    phoenixes.ask(address, order);
+  void askPhoenix(Address address, boolean isConfigured, PhoenixAnswers.Order order) {
+    phoenixes.ask(address, isConfigured, order);
+  }
+
+  /**
+   * A lookup service was found. Order the phoenix of its computer before this is called: the word
+   * of its proxies is not published before it is known where it runs.
+   *
+   * @param registrar its service ID
+   * @param host where it says that it runs; each counts where several say to be it
+   */
+  synchronized void registrarAt(UUID registrar, String host) {
+    hosts.computeIfAbsent(registrar, unused -> new LinkedHashSet<>()).add(host);
   }
 
   private void publish(StopReport report) {
@@ -116,23 +132,32 @@ final class StopRound implements AutoCloseable {
   synchronized void callListed(UUID id, UUID registrar, String path, Callable<Outcome> call) {
     Listing listing = new Listing(id, registrar);
     if (!listed.containsKey(listing)) {
-      Asked asked = new Asked(path, twice(path, call, listedThreads));
+      String robot = StopMerge.robotOf(path);
+      Asked asked = new Asked(path, twice(path, () -> listedCalls.call(registrar, robot, call)));
       listed.put(listing, asked);
       CompletableFuture<Void> unused =
           asked
               .outcome()
-              .thenCombine(phoenixes.answered(), (outcome, answered) -> counted(id, path, outcome))
+              .thenCombine(
+                  phoenixes.answered(), (outcome, answered) -> counted(listing, path, outcome))
               .thenAccept(counts -> counts.ifPresent(well));
     }
   }
 
   /** The outcome, if it is well and counts by the proxy's own word. */
-  private Optional<Outcome> counted(UUID id, String path, Outcome outcome) {
-    Confirmations now = phoenixes.now();
-    if (now.stops().containsKey(id) || !outcome.result().isWell()) {
-      return Optional.empty(); // the first was published as its phoenix reported it
+  private Optional<Outcome> counted(Listing listing, String path, Outcome outcome) {
+    synchronized (this) {
+      if (!hosts.containsKey(listing.registrar())) {
+        return Optional.empty(); // it is in the end, if no phoenix there says otherwise
+      }
     }
-    return merge.merge(List.of(new StopMerge.Claim(id, path, outcome)), Map.of(), now).stream()
+    UUID id = listing.id();
+    Confirmations now = phoenixes.now();
+    if (now.knows(id, path) || !outcome.result().isWell()) {
+      return Optional.empty(); // it was published as its phoenix reported it, or is in the end
+    }
+    StopMerge.Claim claim = new StopMerge.Claim(id, path, null, outcome);
+    return merge.merge(List.of(claim), Map.of(), now).stream()
         .filter(each -> each.equals(outcome))
         .findFirst();
   }
@@ -160,22 +185,23 @@ final class StopRound implements AutoCloseable {
   synchronized void callLocal(String path, Callable<Outcome> call) {
     local
         .computeIfAbsent(path, unused -> new ArrayList<>())
-        .add(new Asked(path, twice(path, call, threads)));
+        .add(new Asked(path, twice(path, () -> once(call))));
   }
 
-  private CompletableFuture<Outcome> twice(String path, Callable<Outcome> call, Executor executor) {
-    return once(call, executor)
-        .exceptionallyCompose(unused -> once(call, executor))
+  private CompletableFuture<Outcome> twice(String path, Supplier<CompletableFuture<Outcome>> once) {
+    return once.get()
+        .exceptionallyCompose(
+            failure ->
+                cause(failure) instanceof FairCalls.NotCalledException
+                    ? CompletableFuture.failedFuture(failure)
+                    : once.get())
         .exceptionally(failure -> new Outcome(path, failed, null, null, reason(failure)));
   }
 
-  private CompletableFuture<Outcome> once(Callable<Outcome> call, Executor executor) {
+  private CompletableFuture<Outcome> once(Callable<Outcome> call) {
     CompletableFuture<Outcome> answer = new CompletableFuture<>();
-    executor.execute(
+    threads.execute(
         () -> {
-          if (answer.isDone()) {
-            return; // it waited for too long behind others
-          }
           try {
             answer.complete(call.call());
           } catch (Exception | Error e) { // a proxy may throw anything; it becomes the reason
@@ -187,15 +213,20 @@ final class StopRound implements AutoCloseable {
 
   /** One line: the causes of remote failures are told on lines of their own. */
   private String reason(Throwable failure) {
-    Throwable cause = failure;
-    while (cause instanceof CompletionException && cause.getCause() != null) {
-      cause = cause.getCause();
-    }
+    Throwable cause = cause(failure);
     if (cause instanceof TimeoutException) {
       return "it did not answer within " + patience.toMillis() / 1e3 + " s, twice";
     }
     @Nullable String message = cause.getMessage();
     return message == null ? cause.toString() : message.lines().findFirst().orElse("").strip();
+  }
+
+  private static Throwable cause(Throwable failure) {
+    Throwable cause = failure;
+    while (cause instanceof CompletionException && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return cause;
   }
 
   /**
@@ -210,14 +241,17 @@ final class StopRound implements AutoCloseable {
     searching.forEach(CompletableFuture::join); // what they find is counted
     Map<Listing, Asked> byLookup;
     Map<String, List<Asked>> here;
+    Map<UUID, Set<String>> places = new HashMap<>();
     synchronized (this) {
+      hosts.forEach((registrar, all) -> places.put(registrar, Set.copyOf(all)));
       byLookup = new LinkedHashMap<>(listed);
       here = new LinkedHashMap<>(local);
     }
     List<StopMerge.Claim> claims = new ArrayList<>();
     byLookup.forEach(
         (listing, each) ->
-            claims.add(new StopMerge.Claim(listing.id(), each.path(), each.outcome().join())));
+            claims.addAll(
+                claims(listing, each, places.getOrDefault(listing.registrar(), Set.of()))));
     Map<String, List<Outcome>> reached = new LinkedHashMap<>();
     here.forEach(
         (path, all) -> reached.put(path, all.stream().map(each -> each.outcome().join()).toList()));
@@ -230,9 +264,19 @@ final class StopRound implements AutoCloseable {
     return merge.merge(claims, reached, phoenixes.now());
   }
 
+  private static List<StopMerge.Claim> claims(Listing listing, Asked asked, Set<String> hosts) {
+    Outcome outcome = asked.outcome().join();
+    if (hosts.isEmpty()) {
+      return List.of(new StopMerge.Claim(listing.id(), asked.path(), null, outcome));
+    }
+    return hosts.stream()
+        .map(host -> new StopMerge.Claim(listing.id(), asked.path(), host, outcome))
+        .toList();
+  }
+
   @Override
   public void close() {
     threads.shutdownNow();
-    listedThreads.shutdownNow();
+    listedCalls.close();
   }
 }

@@ -3,7 +3,7 @@
  *
  * <pre>
  *   PhoenixAddresses --&gt; PhoenixAnswers  each phoenix, directly     -+
- *   EffectorSearch   --&gt; StopRound       each proxy, as it is read  -+-&gt; StopMerge --&gt; Outcome
+ *   EffectorSearch   --&gt; FairCalls       each proxy, round robin    -+-&gt; StopMerge --&gt; Outcome
  *   LocalEffectors   --&gt; StopRound       by this host's phoenix     -+
  * </pre>
  *

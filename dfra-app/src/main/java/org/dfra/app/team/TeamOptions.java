@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import net.jini.core.discovery.LookupLocator;
 import org.dfra.app.terminal.Answer;
 import org.dfra.core.config.ConfigurationException;
@@ -101,7 +102,8 @@ public final class TeamOptions {
 
   /**
    * Looks in the same lookup services for effectors, for an emergency: what is set wrongly is
-   * remarked and left out, and everything else is asked all the same.
+   * remarked and left out, and everything else is asked all the same. No name service is asked
+   * before it begins: names of this computer are taken as they are.
    *
    * @param robots whose effectors are wanted, by name; all if empty
    * @param listener is given what is found
@@ -116,7 +118,7 @@ public final class TeamOptions {
       for (RobotDescription robot : knownRobots()) {
         known.add(robot.name());
         try {
-          addLocator(robot, locators);
+          addLocator(robot, locators, HostAddress::resolveAtOnce);
         } catch (ConfigurationException e) { // its address is no longer this computer's, say
           answer.remark(
               "the lookup service of robot " + robot.name() + " is not asked: " + e.getMessage());
@@ -134,7 +136,7 @@ public final class TeamOptions {
       }
     }
     try {
-      String unused = here();
+      String unused = HostAddress.isName(wantedHost()) ? wantedHost() : here();
     } catch (ConfigurationException e) {
       answer.remark(e.getMessage() + "; one is chosen now");
     }
@@ -154,19 +156,20 @@ public final class TeamOptions {
   private Set<String> locators() throws IOException {
     Set<String> all = new LinkedHashSet<>();
     for (RobotDescription robot : knownRobots()) {
-      addLocator(robot, all);
+      addLocator(robot, all, HostAddress::resolve);
     }
     all.addAll(namedLocators());
     return all;
   }
 
-  private static void addLocator(RobotDescription robot, Set<String> all) {
+  private static void addLocator(
+      RobotDescription robot, Set<String> all, UnaryOperator<String> resolve) {
     robot
         .registrar()
         .filter(registrar -> registrar.port() != 0)
         .ifPresent(
             registrar ->
-                all.add("jini://" + HostAddress.resolve(robot.host()) + ":" + registrar.port()));
+                all.add("jini://" + resolve.apply(robot.host()) + ":" + registrar.port()));
   }
 
   /** The address at which others call this computer back, modules as well as lookup services. */

@@ -1,13 +1,19 @@
 package org.dfra.app.stop;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.app.stop.PhoenixAddresses.Address;
+import org.dfra.app.stop.PhoenixAddresses.Origin;
 import org.dfra.app.team.TeamOptions;
+import org.dfra.river.bootstrap.HostAddress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -27,11 +33,21 @@ class PhoenixAddressesTest {
   @TempDir Path state;
 
   private final List<String> unasked = new ArrayList<>();
+  private final List<String> lookedUp = new ArrayList<>();
 
   private PhoenixAddresses addresses(String locators, String... named) {
     Looks looks = new Looks();
     var unused = new CommandLine(looks).parseArgs("--state=" + state, "--locator=" + locators);
-    return new PhoenixAddresses(looks.options, named);
+    return new PhoenixAddresses(looks.options, named, this::address);
+  }
+
+  private InetAddress address(String name) throws UnknownHostException {
+    lookedUp.add(name);
+    return switch (name) {
+      case "robot" -> InetAddress.getByName("192.0.2.9");
+      case "here" -> InetAddress.getByName("127.0.0.1");
+      default -> throw new UnknownHostException(name);
+    };
   }
 
   @Test
@@ -63,10 +79,52 @@ class PhoenixAddressesTest {
   }
 
   @Test
-  void theComputersOfLookupServicesHaveOneAndThisComputerHasNoSecondOne() {
-    PhoenixAddresses addresses = addresses("192.0.2.9:4161,jini://127.0.0.1:4160");
+  void theComputersOfLookupServicesHaveOneAndTheLoopbackHasNoFurtherOne() {
+    PhoenixAddresses addresses =
+        addresses("192.0.2.9:4161,192.0.2.9:4162,jini://127.0.0.1:4160,jini://[::1]:4160");
     assertThat(addresses.ofLocators()).containsExactly(new Address("192.0.2.9", 1198));
     assertThat(addresses.ofRegistrar("192.0.2.10")).contains(new Address("192.0.2.10", 1198));
     assertThat(addresses.ofRegistrar("127.0.0.2")).isEmpty();
+    assertThat(addresses.ofRegistrar("::1")).isEmpty();
+    assertThat(addresses.ofRegistrar("")).isEmpty();
+    assertThat(addresses.ofRegistrar("x".repeat(254))).isEmpty();
+  }
+
+  @Test
+  void furtherOnesOfThisComputerAreOrderedWhereTheyOrTheirLookupServicesAreNamed()
+      throws Exception {
+    Files.createDirectory(state.resolve("journal"));
+    Files.writeString(state.resolve("phoenix.address"), "127.0.0.9:4711
+");
+    String own = HostAddress.resolve(HostAddress.AUTO);
+    assumeFalse(HostAddress.isLoopback(own), "this computer has no other address");
+    PhoenixAddresses addresses = addresses(own + ":4160", "127.0.0.9:4712", own + ":4713");
+    assertThat(addresses.configured(unasked::add))
+        .containsExactly(
+            new Address("127.0.0.9", 4711), new Address("127.0.0.9", 4712), new Address(own, 4713));
+    assertThat(addresses.ofLocators()).containsExactly(new Address(own, 1198));
+    assertThat(addresses.ofRegistrar(own)).as("nobody named it").isEmpty();
+  }
+
+  @Test
+  void noNameServiceIsAskedBeforeAPhoenixIsLocated() throws Exception {
+    PhoenixAddresses addresses = addresses("robot:4161,here:4160", "robot:1199", "nowhere");
+    Address robot = new Address("robot", 1198);
+    Address here = new Address("here", 1198);
+    assertThat(addresses.configured(unasked::add))
+        .containsExactly(new Address("robot", 1199), new Address("nowhere", 1198));
+    assertThat(addresses.ofLocators()).containsExactly(robot, here);
+    assertThat(addresses.ofRegistrar("robot")).contains(robot);
+    assertThat(addresses.located(new Address("192.0.2.9", 1198), Origin.DISCOVERY)).isPresent();
+    assertThat(lookedUp).isEmpty();
+
+    assertThat(addresses.located(robot, Origin.DISCOVERY)).contains(new Address("192.0.2.9", 1198));
+    assertThat(addresses.located(here, Origin.DISCOVERY)).isEmpty();
+    assertThat(addresses.located(here, Origin.LOCATOR)).isEmpty();
+    assertThat(addresses.located(here, Origin.NAMED)).contains(here);
+    assertThatThrownBy(() -> addresses.located(new Address("nowhere", 1198), Origin.DISCOVERY))
+        .isInstanceOf(java.rmi.UnknownHostException.class)
+        .hasMessageContaining("no address of nowhere is known");
+    assertThat(lookedUp).containsExactly("robot", "here", "here", "nowhere");
   }
 }

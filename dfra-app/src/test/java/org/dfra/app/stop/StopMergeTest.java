@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import org.dfra.app.stop.Outcome.Result;
+import org.dfra.app.stop.PhoenixAddresses.Address;
 import org.dfra.flow.effector.StopState;
 import org.dfra.river.phoenix.stop.EffectorStop;
 import org.dfra.river.phoenix.stop.StopReport;
@@ -27,8 +28,21 @@ class StopMergeTest {
   }
 
   private static Confirmations confirmations(EffectorStop... stops) {
-    return Confirmations.of(
-        List.of(List.of(new StopReport(List.of("atrv1"), List.of(stops), List.of()))), List.of());
+    return reported(new StopReport(List.of("atrv1"), List.of(stops), List.of()));
+  }
+
+  /** Of one phoenix, which reports several times. */
+  private static Confirmations reported(StopReport... reports) {
+    return new Confirmations(List.of(answer(7, reports)));
+  }
+
+  private static PhoenixAnswer answer(int computer, StopReport... reports) {
+    Address address = new Address("192.0.2." + computer, 1198);
+    return PhoenixAnswer.of(address, true, false, List.of(reports));
+  }
+
+  private static StopMerge.Claim claim() {
+    return new StopMerge.Claim(ID, PATH, "192.0.2.7", stopped());
   }
 
   private static Outcome stopped() {
@@ -53,9 +67,7 @@ class StopMergeTest {
   void aDriverThatIsHeldUpIsNotConfirmedByAProxy() {
     EffectorStop heldUp =
         new EffectorStop(ID, PATH, false, new StopState(true, "ops", NOON, false, "held up"), null);
-    assertThat(
-            merge.merge(
-                List.of(new StopMerge.Claim(ID, PATH, stopped())), Map.of(), confirmations(heldUp)))
+    assertThat(merge.merge(List.of(claim()), Map.of(), confirmations(heldUp)))
         .extracting(Outcome::result)
         .containsExactly(Result.NOT_AT_REST);
   }
@@ -63,9 +75,7 @@ class StopMergeTest {
   @Test
   void anEffectorThatDoesNotAnswerItsPhoenixIsDoubtedWhateverItsProxySays() {
     EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
-    assertThat(
-            merge.merge(
-                List.of(new StopMerge.Claim(ID, PATH, stopped())), Map.of(), confirmations(mute)))
+    assertThat(merge.merge(List.of(claim()), Map.of(), confirmations(mute)))
         .singleElement()
         .returns(Result.DOUBTFUL, Outcome::result)
         .satisfies(each -> assertThat(each.reason()).endsWith("it did not answer within 0.9 s"));
@@ -79,11 +89,7 @@ class StopMergeTest {
     EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
     assertThat(merge.merge(List.of(), Map.of(PATH, List.of(stopped())), confirmations(mute)))
         .containsExactly(stopped());
-    assertThat(
-            merge.merge(
-                List.of(new StopMerge.Claim(ID, PATH, stopped())),
-                Map.of(PATH, List.of(stopped())),
-                confirmations()))
+    assertThat(merge.merge(List.of(claim()), Map.of(PATH, List.of(stopped())), confirmations()))
         .as("one effector, reached in two ways")
         .containsExactly(stopped());
   }
@@ -93,11 +99,11 @@ class StopMergeTest {
     EffectorStop good = answered(false, "ops", Duration.ofSeconds(1));
     EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it hangs");
     for (List<EffectorStop> order : List.of(List.of(good, mute), List.of(mute, good))) {
-      List<StopReport> reports =
+      StopReport[] reports =
           order.stream()
               .map(each -> new StopReport(List.of("atrv1"), List.of(each), List.of()))
-              .toList();
-      assertThat(Confirmations.of(List.of(reports), List.of()).stops()).containsEntry(ID, good);
+              .toArray(StopReport[]::new);
+      assertThat(reported(reports).stops()).containsEntry(ID, good);
     }
   }
 
@@ -109,8 +115,8 @@ class StopMergeTest {
         new StopReport(
             List.of("atrv1"), List.of(answered(false, "ops", Duration.ofSeconds(1))), List.of());
     for (List<StopReport> order : List.of(List.of(real, fake), List.of(fake, real))) {
-      List<List<StopReport>> reports = order.stream().map(each -> List.of(each)).toList();
-      Confirmations both = Confirmations.of(reports, List.of());
+      Confirmations both =
+          new Confirmations(List.of(answer(7, order.get(0)), answer(8, order.get(1))));
       assertThat(both.isComplete()).isFalse();
       assertThat(merge.merge(List.of(), Map.of(), both))
           .extracting(Outcome::result)

@@ -15,20 +15,25 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.app.stop.Outcome.Result;
+import org.dfra.app.stop.PhoenixAddresses.Address;
 import org.dfra.flow.effector.StopState;
 import org.dfra.river.phoenix.stop.EffectorStop;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(60)
 class StopRoundTest {
 
   private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
   private static final UUID REGISTRAR = UUID.randomUUID();
+  private static final Address ROBOT = new Address("192.0.2.7", 1198);
   private static final Duration RUNNING = Duration.ofSeconds(2);
   private static final StopState STOPPED = stopped(Duration.ofSeconds(1), true, null);
 
@@ -37,6 +42,11 @@ class StopRoundTest {
   private final StopMerge merge = new StopMerge("the test", () -> RUNNING);
   private final StopRound round =
       new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), well::add, merge);
+
+  @BeforeEach
+  void findRegistrar() {
+    round.registrarAt(REGISTRAR, ROBOT.host());
+  }
 
   @AfterEach
   void close() {
@@ -59,6 +69,59 @@ class StopRoundTest {
     }
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+  }
+
+  /** Under other names than an honest effector's, and under that of its robot. */
+  @ParameterizedTest
+  @ValueSource(strings = {"fake%s/drive", "atrv1/fake%s"})
+  void fiveHundredThatAreSilentHoldUpNoOther(String path) throws Exception {
+    for (int i = 0; i < 500; i++) {
+      round.callListed(UUID.randomUUID(), REGISTRAR, path.formatted(i), this::beSilent);
+    }
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(well.poll(15, TimeUnit.SECONDS)) // less than the patience, which is 20 s
+        .isEqualTo(stopped("atrv1/drive"));
+  }
+
+  @Test
+  void theWordOfAProxyIsPublishedWhenItIsKnownWhichPhoenixItsComputerHas() throws Exception {
+    UUID elsewhere = UUID.randomUUID();
+    round.callListed(UUID.randomUUID(), elsewhere, "theta/drive", () -> stopped("theta/drive"));
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
+    round.askPhoenix(
+        new Address("192.0.2.9", 1198),
+        false,
+        () -> new StopReport(List.of("theta"), List.of(), List.of()));
+    round.registrarAt(elsewhere, "192.0.2.9");
+    assertThat(round.outcomes())
+        .extracting(Outcome::module, Outcome::result)
+        .containsExactlyInAnyOrder(
+            tuple("theta/drive", Result.DOUBTFUL), tuple("atrv1/drive", Result.STOPPED));
+    assertThat(well).isEmpty();
+  }
+
+  @Test
+  void aPhoenixThatOnlyDiscoveryNamedConfirmsOnlyWhatItsLookupServiceLists() {
+    UUID own = UUID.randomUUID();
+    UUID another = UUID.randomUUID();
+    round.askPhoenix(
+        ROBOT,
+        false,
+        () -> report(List.of("atrv1"), confirmed(own, "atrv1/drive"), confirmed(another, "x/y")));
+    round.callListed(own, REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(round.outcomes())
+        .extracting(Outcome::module, Outcome::result)
+        .containsExactlyInAnyOrder(
+            tuple("atrv1/drive", Result.STOPPED), tuple("x/y", Result.DOUBTFUL));
+    assertThat(well).as("it is not published before everything is known").isEmpty();
+  }
+
+  @Test
+  void aNameThatIsOfThisComputerIsNotSilent() {
+    round.askPhoenix(new Address("this-computer", 1198), false, () -> null);
+    round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
+    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
   }
 
   private Outcome beSilent() throws InterruptedException {
@@ -246,8 +309,7 @@ class StopRoundTest {
   @Test
   void aPhoenixConfirmsWithoutAnyLookupService() throws Exception {
     UUID id = UUID.randomUUID();
-    round.askPhoenix(
-        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     round.callListed(
         id,
@@ -262,8 +324,7 @@ class StopRoundTest {
   @Test
   void aProxyThatSaysStoppedIsDoubtedWhereThePhoenixOfItsRobotDoesNotKnowIt() {
     UUID real = UUID.randomUUID();
-    round.askPhoenix(
-        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
+    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
     round.callListed(real, REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/fake", () -> stopped("atrv1/fake"));
     assertThat(round.outcomes())
@@ -276,7 +337,8 @@ class StopRoundTest {
   @Test
   void aProxyIsDoubtedWhereThePhoenixThatMayRunItIsSilent() {
     round.askPhoenix(
-        "192.0.2.7:1198",
+        ROBOT,
+        true,
         () -> {
           throw new RemoteException("it does not answer");
         });
@@ -291,7 +353,8 @@ class StopRoundTest {
   void aProxyIsDoubtedWherePhoenixesAreTooManyToBeAsked() {
     for (int i = 0; i <= 64; i++) {
       round.askPhoenix(
-          "192.0.2." + i + ":1198",
+          new Address("192.0.2." + i, 1198),
+          false,
           () -> {
             throw new ConnectException(
                 "refused", new java.net.ConnectException("Connection refused"));
@@ -308,12 +371,12 @@ class StopRoundTest {
   void anAddressThatMakesNoSenseIsSilentAndStopsNothingElse() {
     UUID id = UUID.randomUUID();
     round.askPhoenix(
-        "robot:70000",
+        new Address("robot", 70000),
+        true,
         () -> {
           throw new IllegalArgumentException("port out of range");
         });
-    round.askPhoenix(
-        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
     assertThat(round.confirmations().silent()).containsExactly("robot:70000");
   }
@@ -321,7 +384,8 @@ class StopRoundTest {
   @Test
   void anEmbeddedRobotIsStoppedByItsOwnWordWhereNoPhoenixRuns() throws Exception {
     round.askPhoenix(
-        "192.0.2.7:1198",
+        ROBOT,
+        true,
         () -> {
           throw new ConnectException(
               "refused", new java.net.ConnectException("Connection refused"));
@@ -336,7 +400,8 @@ class StopRoundTest {
     UUID id = UUID.randomUUID();
     AtomicInteger orders = new AtomicInteger();
     round.askPhoenix(
-        "192.0.2.7:1198",
+        ROBOT,
+        true,
         () ->
             orders.incrementAndGet() == 1
                 ? new StopReport(
@@ -351,7 +416,8 @@ class StopRoundTest {
   @Test
   void aGroupThatDoesNotAnswerItsPhoenixIsADoubtAlsoWhereNothingElseIsKnownOfIt() {
     round.askPhoenix(
-        "192.0.2.7:1198",
+        ROBOT,
+        true,
         () ->
             new StopReport(
                 List.of("atrv1"),
@@ -368,8 +434,7 @@ class StopRoundTest {
       round.callListed(UUID.randomUUID(), REGISTRAR, "fake" + i + "/drive", this::beSilent);
     }
     UUID id = UUID.randomUUID();
-    round.askPhoenix(
-        "192.0.2.7:1198", () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 }

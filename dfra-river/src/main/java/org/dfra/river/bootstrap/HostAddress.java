@@ -6,6 +6,7 @@ import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.util.Comparator;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.dfra.core.config.ConfigurationException;
 
 /** Which address this host's proxies carry. */
@@ -13,6 +14,9 @@ public final class HostAddress {
 
   /** Asks for an interface to be chosen. */
   public static final String AUTO = "auto";
+
+  private static final Pattern VERSION_4 =
+      Pattern.compile("(?:(?:25[0-5]|2[0-4]\\d|1\\d\\d|[1-9]?\\d)(?:\\.(?!$)|$)){4}");
 
   private HostAddress() {}
 
@@ -26,6 +30,37 @@ public final class HostAddress {
    */
   public static String resolve(String wanted) {
     return wanted.equals(AUTO) ? choose() : check(wanted);
+  }
+
+  /**
+   * As {@link #resolve}, without asking any name service, which may take long to answer: a name is
+   * returned unchecked.
+   *
+   * @throws ConfigurationException if an address is not one of this host
+   */
+  public static String resolveAtOnce(String wanted) {
+    return isName(wanted) ? wanted : resolve(wanted);
+  }
+
+  /** Whether a name service has to be asked for it: it is neither an address nor {@link #AUTO}. */
+  public static boolean isName(String wanted) {
+    return !wanted.equals(AUTO) && literal(wanted).isEmpty();
+  }
+
+  /**
+   * The address that a text writes out, as {@code 192.0.2.7} or {@code 2001:db8::7}; empty for
+   * everything else. No name service is asked.
+   */
+  public static Optional<InetAddress> literal(String text) {
+    boolean isVersion6 = text.indexOf(':') >= 0;
+    if (!isVersion6 && !VERSION_4.matcher(text).matches()) {
+      return Optional.empty();
+    }
+    try { // in brackets nothing but an address of version 6 is accepted
+      return Optional.of(InetAddress.getByName(isVersion6 ? "[" + text + "]" : text));
+    } catch (UnknownHostException e) {
+      return Optional.empty();
+    }
   }
 
   /** Whether a resolved host can be reached from this machine only. */

@@ -13,6 +13,7 @@ import net.jini.jeri.InvocationDispatcher;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.ServerCapabilities;
 import org.dfra.river.access.GuardedDispatcher;
+import org.dfra.river.filter.SerialLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -109,6 +110,25 @@ public class DeadlineILFactory extends BasicILFactory {
       ObjectEndpoint endpoint, Duration deadline, ClassLoader loader, Class<?>... interfaces) {
     return Proxy.newProxyInstance(
         loader, interfaces, new DeadlineInvocationHandler(endpoint, null, deadline));
+  }
+
+  /**
+   * A proxy for an object whose endpoint is known beforehand, and whose answers anybody may give.
+   *
+   * @param endpoint where the object is exported, and under which identity
+   * @param deadline how long an answer is awaited
+   * @param answerLimits how large an answer may be
+   * @param loader the loader that defines the proxy
+   * @param interfaces what the proxy implements
+   */
+  public static Object proxy(
+      ObjectEndpoint endpoint,
+      Duration deadline,
+      SerialLimits answerLimits,
+      ClassLoader loader,
+      Class<?>... interfaces) {
+    return Proxy.newProxyInstance(
+        loader, interfaces, new DeadlineInvocationHandler(endpoint, null, deadline, answerLimits));
   }
 
   @Override

@@ -22,6 +22,7 @@ import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.filter.SerialLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,6 +61,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   /** How long an answer is awaited, in milliseconds. */
   private long deadlineMillis;
 
+  /** How large an answer may be; null for the usual. It does not travel with the proxy. */
+  private final transient @Nullable SerialLimits answerLimits;
+
   /** Whether it was read from a stream. */
   private transient boolean isRead;
 
@@ -68,7 +72,20 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
    */
   DeadlineInvocationHandler(
       ObjectEndpoint endpoint, @Nullable MethodConstraints server, Duration deadline) {
+    this(endpoint, server, deadline, null);
+  }
+
+  /**
+   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param answerLimits how large an answer may be; null for the usual
+   */
+  DeadlineInvocationHandler(
+      ObjectEndpoint endpoint,
+      @Nullable MethodConstraints server,
+      Duration deadline,
+      @Nullable SerialLimits answerLimits) {
     super(endpoint, server);
+    this.answerLimits = answerLimits;
     this.deadlineMillis = deadline.toMillis();
     if (deadlineMillis < 1) {
       throw new IllegalArgumentException("deadline " + deadline + " is shorter than 1 ms");
@@ -79,6 +96,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   public DeadlineInvocationHandler(
       DeadlineInvocationHandler other, @Nullable MethodConstraints client) {
     super(other, client);
+    this.answerLimits = other.answerLimits;
     this.deadlineMillis = other.deadlineMillis;
     this.isRead = other.isRead;
   }
@@ -197,6 +215,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return SerialFilters.openResult(
         request,
         method,
+        answerLimits == null ? SerialFilters.resultLimits() : answerLimits,
         bounded -> super.createMarshalInputStream(proxy, method, bounded, integrity, context));
   }
 

@@ -127,10 +127,26 @@ public final class SerialFilters {
    */
   public static ObjectInputStream openResult(
       OutboundRequest request, Method method, Opening opening) throws IOException {
-    ObjectInputStream in = opening.open(new BoundedResponse(request, Configured.STREAM));
+    return openResult(request, method, resultLimits(), opening);
+  }
+
+  /**
+   * The same.
+   *
+   * @param limits how large the result may be
+   */
+  public static ObjectInputStream openResult(
+      OutboundRequest request, Method method, SerialLimits limits, Opening opening)
+      throws IOException {
+    ObjectInputStream in = opening.open(new BoundedResponse(request, limits));
     in.setObjectInputFilter(
-        new GraphFilter(Configured.STREAM, Configured.TYPES.with(List.of(method.getReturnType()))));
+        new GraphFilter(limits, Configured.TYPES.with(List.of(method.getReturnType()))));
     return in;
+  }
+
+  /** How large the result of a call may be where nothing else is said. */
+  public static SerialLimits resultLimits() {
+    return Configured.STREAM;
   }
 
   /**

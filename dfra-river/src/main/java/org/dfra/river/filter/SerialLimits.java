@@ -35,6 +35,13 @@ public record SerialLimits(
   public static final SerialLimits ANSWER =
       new SerialLimits(24, 4_096, 64 << 10, 64 << 10, 1 << 20, 256);
 
+  /**
+   * For the report of a phoenix that was ordered to stop its effectors, which anybody may give.
+   * That of a thousand effectors has about 150 kB.
+   */
+  public static final SerialLimits STOP_REPORT =
+      new SerialLimits(24, 65_536, 1 << 20, 4_096, 8 << 20, 64);
+
   /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
   public static final SerialLimits STORED =
       new SerialLimits(

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import net.jini.config.ConfigurationException;
 import net.jini.config.EmptyConfiguration;
@@ -39,9 +40,10 @@ public final class EffectorSearch implements AutoCloseable {
     /**
      * A lookup service was found.
      *
-     * @param host the computer where it says that it runs
+     * @param registrar its service ID
+     * @param host the computer where it says that it runs: a name or an address, not verified
      */
-    void registrarAt(String host);
+    void registrarAt(UUID registrar, String host);
 
     /** A lookup service lists an effector. */
     void found(ListedEffector effector);

@@ -128,7 +128,7 @@ final class RegistrarReading implements AutoCloseable {
   private void locate() throws RemoteException {
     @Nullable LookupLocator locator = registrar.getLocator();
     if (locator != null) {
-      listener.registrarAt(locator.getHost());
+      listener.registrarAt(Sightings.uuid(registrar.getServiceID()), locator.getHost());
     }
   }
 

@@ -7,6 +7,7 @@ import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.filter.SerialLimits;
 
 /** Finds the stop service of a computer's phoenix without any lookup service. */
 public final class StopLocator {
@@ -28,7 +29,8 @@ public final class StopLocator {
   }
 
   /**
-   * A proxy for the stop service of a phoenix. Nothing is sent before its first call.
+   * A proxy for the stop service of a phoenix. Nothing is sent before its first call. An answer
+   * beyond {@link SerialLimits#STOP_REPORT} is refused: anybody may give it.
    *
    * @param host where phoenix runs
    * @param port its TCP port
@@ -39,6 +41,7 @@ public final class StopLocator {
         DeadlineILFactory.proxy(
             new BasicObjectEndpoint(Endpoints.at(host, port), IDENTITY, false),
             deadline,
+            SerialLimits.STOP_REPORT,
             StopLocator.class.getClassLoader(),
             StopService.class);
   }

@@ -1,0 +1,67 @@
+package org.dfra.app.stop;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.UUID;
+import org.dfra.app.stop.PhoenixAddresses.Address;
+import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.StopReport;
+import org.dfra.river.phoenix.stop.UnconfirmedGroup;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one phoenix says that was ordered to stop what it runs.
+ *
+ * @param address where it was ordered
+ * @param isConfigured whether the operator named it, or its computer; otherwise only a lookup
+ *     service did that was found
+ * @param isSilent whether a phoenix may run there, and none answered
+ * @param stops what each effector answered to it, by its identity: of several answers the last one,
+ *     unless an earlier one confirms the stop
+ * @param robots names of the robots that have a group on it
+ * @param unconfirmed groups that did not answer it at last
+ */
+record PhoenixAnswer(
+    Address address,
+    boolean isConfigured,
+    boolean isSilent,
+    Map<UUID, EffectorStop> stops,
+    Set<String> robots,
+    List<UnconfirmedGroup> unconfirmed) {
+
+  /**
+   * The answer of a phoenix.
+   *
+   * @param reports what it reported, the last report last
+   */
+  static PhoenixAnswer of(
+      Address address, boolean isConfigured, boolean isSilent, List<StopReport> reports) {
+    Map<UUID, EffectorStop> stops = new LinkedHashMap<>();
+    Set<String> robots = new TreeSet<>();
+    for (StopReport report : reports) {
+      robots.addAll(report.robots());
+      for (EffectorStop stop : report.effectors()) {
+        stops.merge(
+            stop.id(), stop, (old, now) -> old.isConfirmed() && !now.isConfirmed() ? old : now);
+      }
+    }
+    List<UnconfirmedGroup> unconfirmed =
+        reports.isEmpty() ? List.of() : reports.get(reports.size() - 1).unconfirmed();
+    return new PhoenixAnswer(address, isConfigured, isSilent, stops, robots, unconfirmed);
+  }
+
+  /** Whether it confirms the stop of an effector, under whatever path. */
+  boolean confirms(UUID id) {
+    @Nullable EffectorStop stop = stops.get(id);
+    return stop != null && stop.isConfirmed();
+  }
+
+  /** Whether it confirms the stop of an effector under that path. */
+  boolean confirms(UUID id, String path) {
+    @Nullable EffectorStop stop = stops.get(id);
+    return stop != null && stop.isConfirmed() && stop.path().equals(path);
+  }
+}

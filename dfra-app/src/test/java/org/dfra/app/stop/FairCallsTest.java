@@ -1,0 +1,136 @@
+package org.dfra.app.stop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.dfra.app.stop.Outcome.Result;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** No source of calls keeps those of another waiting. */
+@Timeout(60)
+class FairCallsTest {
+
+  private static final Duration LONG = Duration.ofSeconds(50);
+  private static final Duration BRIEF = Duration.ofMillis(20);
+  private static final UUID STRANGERS = new UUID(6, 6);
+  private static final UUID HONEST = new UUID(1, 1);
+  private static final Outcome STOPPED =
+      new Outcome("atrv1/drive", Result.STOPPED, "ops", null, null);
+
+  private final CountDownLatch end = new CountDownLatch(1);
+  private final CountDownLatch interrupted = new CountDownLatch(1);
+
+  @AfterEach
+  void goOn() {
+    end.countDown();
+  }
+
+  private Outcome beSilent() throws InterruptedException {
+    end.await();
+    return STOPPED;
+  }
+
+  /** As a connection that is not interruptible. */
+  private Outcome ignoreInterrupts() {
+    boolean isOver = false;
+    while (!isOver) {
+      try {
+        end.await();
+        isOver = true;
+      } catch (InterruptedException e) { // it goes on
+        interrupted.countDown();
+      }
+    }
+    return STOPPED;
+  }
+
+  private static void callMany(FairCalls calls, int count, Callable<Outcome> code) {
+    for (int i = 0; i < count; i++) {
+      CompletableFuture<Outcome> unused = calls.call(STRANGERS, "fake" + i, code);
+    }
+  }
+
+  @Test
+  void oneLookupServiceDoesNotTakeEveryPlace() throws Exception {
+    FairCalls.Limits noneLeaves = new FairCalls.Limits(4, 3, 100, 1, LONG, LONG);
+    try (FairCalls calls = new FairCalls(noneLeaves, LONG)) {
+      callMany(calls, 500, this::beSilent);
+      assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
+          .isEqualTo(STOPPED);
+    }
+  }
+
+  @Test
+  void aSilentCallLeavesItsPlaceAndItsAnswerStillCounts() throws Exception {
+    FairCalls.Limits one = new FairCalls.Limits(1, 1, 100, 1, BRIEF, LONG);
+    try (FairCalls calls = new FairCalls(one, LONG)) {
+      CompletableFuture<Outcome> late = calls.call(HONEST, "atrv1", this::beSilent);
+      assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
+          .isEqualTo(STOPPED);
+      assertThat(late).isNotDone();
+      end.countDown();
+      assertThat(late.get(20, TimeUnit.SECONDS)).isEqualTo(STOPPED);
+    }
+  }
+
+  @Test
+  void robotsOfOneLookupServiceAreCalledRoundRobin() throws Exception {
+    FairCalls.Limits one = new FairCalls.Limits(1, 1, 100, 1, LONG, LONG);
+    CountDownLatch first = new CountDownLatch(1);
+    try (FairCalls calls = new FairCalls(one, LONG)) {
+      CompletableFuture<Outcome> begun =
+          calls.call(
+              STRANGERS,
+              "fake",
+              () -> {
+                first.await();
+                return STOPPED;
+              });
+      CompletableFuture<Outcome> second = calls.call(STRANGERS, "fake", () -> STOPPED);
+      CompletableFuture<Outcome> third = calls.call(STRANGERS, "fake", this::beSilent);
+      CompletableFuture<Outcome> honest = calls.call(STRANGERS, "atrv1", () -> STOPPED);
+      first.countDown();
+      assertThat(honest.get(20, TimeUnit.SECONDS)).isEqualTo(STOPPED);
+      assertThat(begun).isDone();
+      assertThat(second).isDone();
+      assertThat(third).as("behind them").isNotDone();
+    }
+  }
+
+  @Test
+  void aCallThatIsNotAnsweredInTimeIsInterrupted() throws Exception {
+    try (FairCalls calls = new FairCalls(FairCalls.Limits.USUAL, BRIEF)) {
+      CompletableFuture<Outcome> answer = calls.call(STRANGERS, "fake", this::ignoreInterrupts);
+      assertThatThrownBy(() -> answer.get(20, TimeUnit.SECONDS))
+          .isInstanceOf(ExecutionException.class)
+          .hasCauseInstanceOf(TimeoutException.class);
+      assertThat(interrupted.await(20, TimeUnit.SECONDS)).isTrue();
+    }
+  }
+
+  @Test
+  void callsThatNeverEndKeepNoOtherLookupServiceWaiting() throws Exception {
+    FairCalls.Limits few = new FairCalls.Limits(100, 100, 5, 1, BRIEF, Duration.ofSeconds(1));
+    try (FairCalls calls = new FairCalls(few, LONG)) {
+      callMany(calls, 5, this::beSilent);
+      CompletableFuture<Outcome> sixth = calls.call(STRANGERS, "fake6", this::beSilent);
+      assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
+          .isEqualTo(STOPPED);
+      assertThatThrownBy(() -> sixth.get(20, TimeUnit.SECONDS))
+          .isInstanceOf(ExecutionException.class)
+          .cause()
+          .isInstanceOf(FairCalls.NotCalledException.class)
+          .hasMessage("it was not called within 1.0 s: 5 other calls do not end");
+    }
+  }
+}
