@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Benchmarks:",
-      "  attack        a robot under attack by a stranger (ten minutes; less by --seconds)",
+      "  attack        a robot under attack by a stranger (twelve minutes; less by --seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, the latency of events alone",
       "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",

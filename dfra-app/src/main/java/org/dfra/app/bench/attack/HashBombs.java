@@ -3,8 +3,6 @@ package org.dfra.app.bench.attack;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
-import java.rmi.RemoteException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -26,7 +24,6 @@ public final class HashBombs extends AttackTask {
   private static final int KEYS = 10_000;
   private static final int PAIRS = 14; // of characters: 16384 texts with one hash code
   private static final long STACK = 512L << 20; // to write what is nested so deeply
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private final List<byte[]> bombs = new ArrayList<>();
 
@@ -92,20 +89,6 @@ public final class HashBombs extends AttackTask {
       for (byte[] bomb : bombs) {
         var unused = attempt(() -> send(drive, bomb));
       }
-    }
-  }
-
-  /** Fails where the call was refused, which is an answer too. */
-  private static RawCall.Answer send(RemoteDriveEffector drive, byte[] bomb) throws Exception {
-    try (RawCall call = RawCall.to(drive)) {
-      RawCall.Answer answer = call.send(bomb).finish(PATIENCE);
-      if (answer.status() == RawCall.Status.THREW) {
-        throw new RemoteException("refused: " + answer.object());
-      }
-      if (answer.status() != RawCall.Status.RETURNED) {
-        throw new RemoteException("not answered: " + answer.status(), answer.failure());
-      }
-      return answer;
     }
   }
 }
