@@ -20,8 +20,9 @@ import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An attack that is repeated until its input has a line or ends. It prints {@code begins}, {@code
- * refused REASON} when the robot refuses something for the first time, and at the end its {@linkplain FigureLines own figures} and {@code done CALLS REFUSED REASON}, the
+ * An attack that is repeated until its input has a line or ends, and done once at least. It prints
+ * {@code begins}, {@code refused REASON} when the robot refuses something for the first time, and
+ * at the end its {@linkplain FigureLines own figures} and {@code done CALLS REFUSED REASON}, the
  * reason being that of the last refusal.
  *
  * <p>Its arguments are those of {@link Target#arguments}. One thread attacks; another reads the

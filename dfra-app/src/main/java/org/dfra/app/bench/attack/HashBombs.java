@@ -11,12 +11,15 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
 /**
- * Calls a method of the drive with arguments that cost much to read: nested sets, whose hash codes
- * are computed again at every level, and a table whose keys all have the same hash code.
+ * Calls a method of the drive that strangers may call with arguments that cost much to read: nested
+ * sets, whose hash codes are computed again at every level, and a table whose keys all have the
+ * same hash code. Of an administrative method the arguments would not be read.
  */
 public final class HashBombs extends AttackTask {
 
@@ -44,13 +47,14 @@ public final class HashBombs extends AttackTask {
   }
 
   private static byte[] call(Object argument) throws IOException, NoSuchMethodException {
-    Method method = RemoteModule.class.getMethod("setParameter", String.class, String.class);
+    Method method =
+        RemoteModule.class.getMethod("subscribe", ModuleListener.class, DeliveryPolicy.class);
     return CallBytes.with(method, out -> write(out, argument));
   }
 
   private static void write(ObjectOutputStream out, Object argument) throws IOException {
     out.writeObject(argument);
-    out.writeObject("1");
+    out.writeObject(DeliveryPolicy.keepLast(1));
   }
 
   private static Object nestedSets() {
