@@ -259,7 +259,7 @@ final class AttackBench implements Bench {
     double recovered = recovery(scene);
     if (scene.attack().isOnPhoenix()) {
       int more = groups(robot, scene.attack()) - scene.groups();
-      own.add(new Figure("groups that phoenix has more", more, 0, ""));
+      own.add(new Figure("groups added at phoenix", more, 0, ""));
     }
     return new AttackResult(
         Long.parseLong(calls[4]) / 1e3,

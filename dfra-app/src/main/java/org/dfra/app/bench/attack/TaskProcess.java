@@ -6,6 +6,7 @@ import java.io.Writer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dfra.river.bootstrap.JvmCommand;
@@ -190,23 +191,29 @@ public final class TaskProcess implements AutoCloseable {
     }
     ProcessHandle found =
         ProcessHandle.of(pid).orElseThrow(() -> new IOException("there is no process " + pid));
-    Thread hook = new Thread(() -> kill(found), "ends process " + pid);
+    Thread hook = new Thread(() -> killAll(found), "ends process " + pid);
     Runtime.getRuntime().addShutdownHook(hook);
     daemon = found;
     lastResort = hook;
   }
 
   /** What it started comes last: until then it would be started again. */
-  private static void kill(ProcessHandle daemon) {
+  private static List<ProcessHandle> killAll(ProcessHandle daemon) {
     List<ProcessHandle> all = Stream.concat(Stream.of(daemon), daemon.descendants()).toList();
     all.forEach(ProcessHandle::destroyForcibly);
+    return all;
   }
 
   private synchronized void killDaemon() {
     if (daemon == null || lastResort == null) {
       return;
     }
-    kill(daemon);
+    CompletableFuture<?>[] ends =
+        killAll(daemon).stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new);
+    var unused =
+        CompletableFuture.allOf(ends)
+            .completeOnTimeout(null, END.toMillis(), TimeUnit.MILLISECONDS)
+            .join();
     Runtime.getRuntime().removeShutdownHook(lastResort);
     daemon = null;
     lastResort = null;
