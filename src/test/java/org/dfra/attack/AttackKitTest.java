@@ -11,6 +11,7 @@ import java.net.Socket;
 import java.rmi.NoSuchObjectException;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
@@ -167,6 +168,23 @@ class AttackKitTest {
       assertThat(victim.moreHeap()).isGreaterThan(count * (1L << 18));
       assertThatThrownBy(victim::assertWithinLimits).isInstanceOf(AssertionError.class);
       assertThat(victim.cpuSince()).isPositive();
+    }
+  }
+
+  @Test
+  void aDaemonThatATaskHasStartedEndsWithIt() throws Exception {
+    Process daemon = new ProcessBuilder("sleep", "600").start();
+    try {
+      try (TaskProcess task = TaskProcess.start(HoldThreads.class, "1")) {
+        task.endsWithThis(daemon.pid());
+        assertThatThrownBy(() -> task.endsWithThis(daemon.pid()))
+            .isInstanceOf(IllegalStateException.class)
+            .hasMessageContaining("process " + daemon.pid());
+        assertThat(daemon.isAlive()).isTrue();
+      }
+      assertThat(daemon.waitFor(PATIENCE.toMillis(), TimeUnit.MILLISECONDS)).isTrue();
+    } finally {
+      daemon.destroyForcibly();
     }
   }
 

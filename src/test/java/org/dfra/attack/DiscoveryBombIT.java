@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.dfra.app.bench.attack.BombServer;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;

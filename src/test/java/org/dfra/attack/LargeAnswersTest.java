@@ -161,13 +161,11 @@ class LargeAnswersTest {
                   assertThat(asked.getName()).isEqualTo("getResponseInputStream");
                   return new ByteArrayInputStream(bytes);
                 });
-    return SerialFilters.guardResult(
-        new MarshalInputStream(
-            SerialFilters.bounded(request).getResponseInputStream(),
-            LOADER,
-            false,
-            null,
-            List.of()),
-        method);
+    return SerialFilters.openResult(
+        request,
+        method,
+        bounded ->
+            new MarshalInputStream(
+                bounded.getResponseInputStream(), LOADER, false, null, List.of()));
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
+import static org.junit.jupiter.api.Assumptions.abort;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -14,12 +15,13 @@ import java.util.List;
 import java.util.Properties;
 import java.util.UUID;
 import java.util.stream.Stream;
+import org.dfra.app.bench.attack.OtherUser;
+import org.dfra.app.bench.attack.StrangersGroup;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.river.phoenix.Identities;
 import org.dfra.robot.LivingPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -32,10 +34,6 @@ class LocalUserIT {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final String GROUP = "local.lookup";
 
-  /** Of the system and the monitor in former versions: everybody knows them. */
-  private static final List<String> FORMER =
-      List.of("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12", "6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a13");
-
   @TempDir static Path temp;
   private static OtherUser nobody;
   private static LivingPhoenix phoenix;
@@ -45,7 +43,9 @@ class LocalUserIT {
 
   @BeforeAll
   static void start() throws Exception {
-    nobody = OtherUser.assumed(Files.createDirectory(temp.resolve("classes")));
+    nobody =
+        OtherUser.find(Files.createDirectory(temp.resolve("classes")))
+            .orElseGet(() -> abort("needs " + OtherUser.NEEDS));
     everybodys = Files.createDirectory(temp.resolve("everybody"));
     Files.setPosixFilePermissions(everybodys, PosixFilePermissions.fromString("rwxrwxrwx"));
     phoenix = LivingPhoenix.start(temp.resolve("state"));
@@ -71,8 +71,8 @@ class LocalUserIT {
 
   @Test
   void registersNoGroupUnderAnyIdentityThatItCanKnow() throws Exception {
-    List<String> known = new ArrayList<>(FORMER);
-    known.add(Identities.ACTIVATOR.toString());
+    List<String> known = new ArrayList<>();
+    StrangersGroup.KNOWN.forEach(each -> known.add(each.toString()));
     known.add(UUID.randomUUID().toString());
     Path marker = everybodys.resolve("ran");
     try (TaskProcess attack = register(marker, known)) {

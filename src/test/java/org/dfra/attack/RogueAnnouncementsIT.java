@@ -3,12 +3,7 @@ package org.dfra.attack;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import com.sun.jini.discovery.MulticastTimeToLive;
 import java.io.IOException;
-import java.net.DatagramPacket;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.MulticastSocket;
 import java.net.NetworkInterface;
 import java.time.Duration;
 import java.util.List;
@@ -16,17 +11,14 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import net.jini.constraint.BasicMethodConstraints;
-import net.jini.core.constraint.InvocationConstraints;
-import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.discovery.Constants;
+import org.dfra.app.bench.attack.AttackTask.Target;
+import org.dfra.app.bench.attack.LocalMulticast;
 import org.dfra.app.bench.attack.RogueAnnouncements;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
-import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -46,12 +38,9 @@ class RogueAnnouncementsIT {
   /** The best of some counts: what else runs on this computer delays the others. */
   private static final int SEARCHES = 3;
 
-  private static final MethodConstraints LOCAL =
-      new BasicMethodConstraints(new InvocationConstraints(new MulticastTimeToLive(0), null));
-
   @Test
   void anHonestLookupServiceIsFoundBesideAHundredFalseOnesASecond() throws Exception {
-    assumeTrue(isMulticastPossible(), "this computer does not receive its own multicast");
+    assumeTrue(LocalMulticast.isPossible(), "needs " + LocalMulticast.NEEDS);
     AttackHosts hosts = AttackHosts.assumed();
     String group = "attack-" + UUID.randomUUID();
     NetworkInterface[] all = NetworkInterface.networkInterfaces().toArray(NetworkInterface[]::new);
@@ -61,15 +50,16 @@ class RogueAnnouncementsIT {
                     0,
                     List.of(group),
                     LEASE,
-                    Map.of("multicastInterfaces", () -> all, "discoveryConstraints", () -> LOCAL))
+                    Map.of(
+                        "multicastInterfaces",
+                        () -> all,
+                        "discoveryConstraints",
+                        () -> LocalMulticast.CONSTRAINTS))
                 .start();
         TaskProcess rogue =
             TaskProcess.start(
                 RogueAnnouncements.class,
-                hosts.attacker(),
-                hosts.robot(),
-                Integer.toString(honest.port()),
-                "0")) {
+                new Target(hosts.attacker(), hosts.robot(), honest.port(), 0).arguments())) {
       String unused = rogue.awaitLine("begins", PATIENCE);
       Duration best = PATIENCE;
       for (int i = 0; i < SEARCHES; i++) {
@@ -97,33 +87,12 @@ class RogueAnnouncementsIT {
           }
         };
     long began = System.nanoTime();
-    try (MulticastSearch search =
-        new MulticastSearch(
-            new String[] {group},
-            new SuppliedConfiguration(
-                Map.of("net.jini.discovery.LookupDiscovery.discoveryConstraints", () -> LOCAL)),
-            listener)) {
+    try (MulticastSearch search = LocalMulticast.search(List.of(group), listener)) {
       ServiceRegistrar first = found.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
       Duration took = Duration.ofNanos(System.nanoTime() - began);
       assertThat(first.getServiceID()).isEqualTo(honest.getServiceID());
       assertThat(search.holds(honest.getServiceID())).isTrue();
       return took;
-    }
-  }
-
-  private static boolean isMulticastPossible() {
-    try (MulticastSocket receiver = new MulticastSocket();
-        MulticastSocket sender = new MulticastSocket()) {
-      InetAddress address = Constants.getRequestAddress();
-      receiver.joinGroup(
-          new InetSocketAddress(address, receiver.getLocalPort()), receiver.getNetworkInterface());
-      receiver.setSoTimeout(2_000);
-      sender.setTimeToLive(0);
-      sender.send(new DatagramPacket(new byte[1], 1, address, receiver.getLocalPort()));
-      receiver.receive(new DatagramPacket(new byte[1], 1));
-      return true;
-    } catch (IOException e) { // no route, no interface, or nothing came in time
-      return false;
     }
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.junit.jupiter.api.Assumptions.abort;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -9,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import org.dfra.app.bench.attack.OtherUser;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -26,7 +28,9 @@ class StolenLockIT {
   @Test
   void folderIsRefusedWhileOthersMayEnterItAndThenTheThiefIsNamed() throws Exception {
     assumeTrue(Files.isReadable(Path.of("/proc/locks")), "only Linux tells who holds a lock");
-    OtherUser nobody = OtherUser.assumed(Files.createDirectory(temp.resolve("classes")));
+    OtherUser nobody =
+        OtherUser.find(Files.createDirectory(temp.resolve("classes")))
+            .orElseGet(() -> abort("needs " + OtherUser.NEEDS));
     Path state = Files.createDirectory(temp.resolve("state"));
     Path journal = Files.createDirectory(state.resolve("journal"));
     Path lock = Files.writeString(journal.resolve("phoenix.lock"), "1");

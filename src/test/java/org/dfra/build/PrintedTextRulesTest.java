@@ -50,6 +50,7 @@ class PrintedTextRulesTest {
           "org.dfra.app.bench.BenchCommand",
           "org.dfra.app.bench.ListenerMain",
           "org.dfra.app.bench.attack.AttackTask", // these to the benchmark, which reads them
+          "org.dfra.app.bench.attack.BombServer",
           "org.dfra.app.bench.attack.HonestRobot",
           "org.dfra.app.bench.attack.NeutralLoad",
           "org.dfra.app.bench.attack.Operator",

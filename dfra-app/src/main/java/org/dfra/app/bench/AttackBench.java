@@ -1,6 +1,7 @@
 package org.dfra.app.bench;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -10,23 +11,21 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
-import org.dfra.app.bench.attack.AdministrativeCalls;
-import org.dfra.app.bench.attack.AttackTask;
+import org.dfra.app.bench.AttackCase.Attacker;
 import org.dfra.app.bench.attack.AttackTask.Target;
-import org.dfra.app.bench.attack.FakeModules;
-import org.dfra.app.bench.attack.HashBombs;
+import org.dfra.app.bench.attack.FigureLines;
 import org.dfra.app.bench.attack.HonestRobot;
-import org.dfra.app.bench.attack.ListenerFlood;
-import org.dfra.app.bench.attack.NeutralLoad;
+import org.dfra.app.bench.attack.LocalMulticast;
 import org.dfra.app.bench.attack.Operator;
+import org.dfra.app.bench.attack.OtherUser;
 import org.dfra.app.bench.attack.ProcessSample;
-import org.dfra.app.bench.attack.RogueAnnouncements;
-import org.dfra.app.bench.attack.SlowHeaders;
 import org.dfra.app.bench.attack.TaskProcess;
-import org.dfra.app.bench.attack.UnfinishedRequests;
+import org.dfra.app.figure.Figure;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a stranger without a key can do to a robot that searches a field while an operator listens.
@@ -36,71 +35,57 @@ import org.dfra.app.bench.attack.UnfinishedRequests;
  *   core 0               core 1
  *   attacker  --------&gt;  robot with its registrar, &lt;---- operator: calls, listens,
  *                        drivers, simulated field        falls silent, stops it
+ *             --------&gt;  its phoenix, where that is attacked
  * </pre>
  *
- * <p>Times of the wheels are those of the simulated field.
+ * <p>Times of the wheels are those of the simulated field. Threads, heap and CPU time are those of
+ * the robot and its phoenix.
  */
 final class AttackBench implements Bench {
-
-  /** An attack and what it is called. */
-  private record Attack(String name, Class<? extends AttackTask> task) {}
-
-  private static final Attack NEUTRAL = new Attack("a neutral load", NeutralLoad.class);
-  private static final List<Attack> ATTACKS =
-      List.of(
-          new Attack("fake modules", FakeModules.class),
-          new Attack("hash bombs", HashBombs.class),
-          new Attack("unfinished requests", UnfinishedRequests.class),
-          new Attack("a flood of listeners", ListenerFlood.class),
-          new Attack("rogue announcements", RogueAnnouncements.class),
-          new Attack("slow headers", SlowHeaders.class),
-          new Attack("administrative calls", AdministrativeCalls.class));
-
-  /**
-   * What was measured beside a load.
-   *
-   * @param p99 of honest calls, milliseconds
-   * @param failed honest calls
-   * @param cpu seconds of the robot's CPU time while the operator listened
-   * @param threads more than before the load
-   * @param heap bytes more than before the load
-   * @param slower seconds from the operator's last command until the wheels became slower
-   * @param silent seconds from the operator's last command until they stopped
-   * @param stopped seconds from the emergency stop until they stopped
-   * @param recovered seconds until the robot uses what it used before
-   * @param calls of the attacker, and how many of them were refused
-   */
-  private record Result(
-      double p99,
-      int failed,
-      double cpu,
-      int threads,
-      long heap,
-      double slower,
-      double silent,
-      double stopped,
-      double recovered,
-      long calls,
-      long refused) {}
 
   private static final String ATTACKER = "127.0.0.66";
   private static final String ROBOT = "127.0.0.1";
   private static final Duration START = Duration.ofMinutes(3);
   private static final Duration PATIENCE = Duration.ofMinutes(1);
-  private static final Duration RECOVERY = Duration.ofSeconds(10);
   private static final Duration QUIET = Duration.ofSeconds(1); // so long: they have stopped
 
   private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
 
-  private static final double MOST_SLOWER = 0.35; // s: 0.3, and 10 % of the speed to be lost
-  private static final double MOST_STOPPED = 0.5; // s
-  private static final double MOST_RATIO = 3;
-  private static final int MOST_THREADS = 64;
-  private static final double MEGABYTE = 1 << 20;
-  private static final double MOST_MEGABYTES = 8;
-  private static final double MOST_CPU = 1; // s for each refused call
-
   private final int seconds;
+
+  /**
+   * Where attacks are measured.
+   *
+   * @param source address that strangers call from
+   * @param isPinned whether attacker and robot have a core each
+   * @param user another user of this computer; null where there is none that can be used
+   * @param hasMulticast whether this computer receives its own multicast
+   * @param folder a temporary one
+   */
+  private record Place(
+      String source,
+      boolean isPinned,
+      @Nullable OtherUser user,
+      boolean hasMulticast,
+      Path folder) {
+
+    List<String> onCore(int core) {
+      return isPinned ? List.of("taskset", "-c", Integer.toString(core)) : List.of();
+    }
+
+    /** Why an attack cannot be run here; empty if it can. */
+    String missing(AttackCase attack) {
+      if (attack.attacker() == Attacker.LOCAL_USER && user == null) {
+        return OtherUser.NEEDS;
+      }
+      return attack.isByMulticast() && !hasMulticast ? LocalMulticast.NEEDS : "";
+    }
+
+    /** The user that runs the attacker's process; null for this process' own. */
+    @Nullable OtherUser user(AttackCase attack) {
+      return attack.attacker() == Attacker.STRANGER ? null : user;
+    }
+  }
 
   /**
    * @param seconds how long each attack lasts before the wheels are measured, at least 1
@@ -111,27 +96,40 @@ final class AttackBench implements Bench {
 
   @Override
   public void run(Report report) throws Exception {
-    boolean pinned = canPin();
-    String source = source();
+    Path folder = Files.createTempDirectory("dfra-attack-");
+    try {
+      @Nullable OtherUser user =
+          OtherUser.find(Files.createDirectory(folder.resolve("classes"))).orElse(null);
+      run(report, new Place(source(), canPin(), user, LocalMulticast.isPossible(), folder));
+    } finally {
+      delete(folder, report);
+    }
+  }
+
+  private void run(Report report, Place place) throws Exception {
     report.say(
-        pinned
+        place.isPinned()
             ? "The attacker runs on core 0, robot and operator on core 1."
             : "Not pinned: this computer has no taskset, or one core. The figures count the"
                 + " scheduler's choices too.");
-    if (!source.equals(ATTACKER)) {
+    if (!place.source().equals(ATTACKER)) {
       report.say(
           "The attacker calls from the robot's own address: this computer has no other loopback"
               + " address. What is refused by address is not refused here.");
     }
-    Result neutral = measure(report, NEUTRAL, source, pinned);
-    report.figure("p99 of honest calls beside " + NEUTRAL.name(), neutral.p99(), "ms");
-    wheels(report, NEUTRAL, neutral);
-    for (Attack each : ATTACKS) {
+    AttackResult neutral = measure(report, AttackCase.NEUTRAL, place);
+    neutral.report(report, AttackCase.NEUTRAL);
+    for (AttackCase each : AttackCase.ALL) {
+      String missing = place.missing(each);
+      if (!missing.isEmpty()) {
+        report.say("skipped: " + each.name() + " needs " + missing);
+        continue;
+      }
       try {
-        judge(report, each, measure(report, each, source, pinned), neutral);
+        measure(report, each, place).report(report, each, neutral);
       } catch (IOException e) { // the others are measured all the same
         report.say("  not measured: " + e.getMessage());
-        report.figure("robot or operator failed beside " + each.name(), 1, 0, "");
+        report.figure("robot, operator or attacker failed beside " + each.name(), 1, 0, "");
       }
     }
   }
@@ -152,41 +150,99 @@ final class AttackBench implements Bench {
             .anyMatch(folder -> Files.isExecutable(Path.of(folder, "taskset")));
   }
 
-  private static List<String> onCore(int core, boolean pinned) {
-    return pinned ? List.of("taskset", "-c", Integer.toString(core)) : List.of();
-  }
-
-  private Result measure(Report report, Attack attack, String source, boolean pinned)
-      throws Exception {
+  private AttackResult measure(Report report, AttackCase attack, Place place) throws Exception {
     report.say(seconds + " s of " + attack.name() + " …");
+    if (attack.attacker() == Attacker.LOCAL_USER_OR_STRANGER && place.user() == null) {
+      report.say(
+          "  skipped: as a user of the robot's computer it needs "
+              + OtherUser.NEEDS
+              + "; a stranger does it instead");
+    }
     List<String> root = List.of("-Ddfra.root=" + System.getProperty("dfra.root", "."));
-    List<String> heap = new ArrayList<>(root);
-    heap.add("-Xmx256m");
-    try (TaskProcess robot = TaskProcess.start(onCore(1, pinned), heap, HonestRobot.class)) {
+    List<String> limits = new ArrayList<>(root);
+    limits.addAll(List.of("-Xmx256m", "-XX:+ExitOnOutOfMemoryError"));
+    try (TaskProcess robot =
+        TaskProcess.start(
+            place.onCore(1), limits, HonestRobot.class, robotArguments(attack, place))) {
+      List<Long> victims = new ArrayList<>(List.of(robot.pid()));
+      int phoenixPort = 0;
+      Path groupLock = Path.of("");
+      if (attack.isOnPhoenix()) {
+        String[] phoenix = robot.awaitLine("phoenix", START).split(" ");
+        phoenixPort = Integer.parseInt(phoenix[1]);
+        victims.add(Long.parseLong(phoenix[2]));
+        robot.endsWithThis(victims.get(1));
+        groupLock = Path.of(robot.awaitLine("lock ", START).substring("lock ".length()));
+      }
       String[] ports = robot.awaitLine("registrar", START).split(" ");
       Target target =
-          new Target(source, ROBOT, Integer.parseInt(ports[1]), Integer.parseInt(ports[3]));
+          new Target(
+              place.user(attack) == null ? place.source() : ROBOT,
+              ROBOT,
+              Integer.parseInt(ports[1]),
+              Integer.parseInt(ports[3]),
+              phoenixPort,
+              groupLock,
+              attackersFolder(place));
       try (TaskProcess operator =
-          TaskProcess.start(onCore(1, pinned), root, Operator.class, ports[1])) {
+          TaskProcess.start(place.onCore(1), root, Operator.class, ports[1])) {
         String unused = operator.awaitLine("drives", START);
-        ProcessSample before = ProcessSample.of(robot.pid());
-        try (TaskProcess attacker =
-            TaskProcess.start(onCore(0, pinned), root, attack.task(), target.arguments())) {
+        ProcessSample before = ProcessSample.of(victims);
+        int groups = groups(robot, attack);
+        try (TaskProcess attacker = start(attack, place, root, target)) {
           String unusedEither = attacker.awaitLine("begins", START);
-          return measure(robot, operator, attacker, before);
+          return measure(new Scene(attack, robot, operator, attacker, victims, before, groups));
         }
       }
     }
   }
 
-  private Result measure(
-      TaskProcess robot, TaskProcess operator, TaskProcess attacker, ProcessSample before)
-      throws Exception {
-    Duration cpu = ProcessSample.cpu(robot.pid());
+  private static String[] robotArguments(AttackCase attack, Place place) throws IOException {
+    List<String> arguments = new ArrayList<>();
+    if (attack.isByMulticast()) {
+      arguments.add(HonestRobot.SEARCH);
+    }
+    if (attack.isOnPhoenix()) {
+      arguments.add(HonestRobot.PHOENIX + Files.createTempDirectory(place.folder(), "phoenix-"));
+    }
+    return arguments.toArray(String[]::new);
+  }
+
+  /** Where anybody may write. */
+  private static Path attackersFolder(Place place) throws IOException {
+    Path folder = Files.createTempDirectory(place.folder(), "attacker-");
+    if (place.user() != null) {
+      OtherUser.share(folder);
+    }
+    return folder;
+  }
+
+  private static TaskProcess start(
+      AttackCase attack, Place place, List<String> options, Target target) throws IOException {
+    @Nullable OtherUser user = place.user(attack);
+    return user == null
+        ? TaskProcess.start(place.onCore(0), options, attack.task(), target.arguments())
+        : user.start(place.onCore(0), attack.task(), target.arguments());
+  }
+
+  /** An attack under way, and how its victims were before. */
+  private record Scene(
+      AttackCase attack,
+      TaskProcess robot,
+      TaskProcess operator,
+      TaskProcess attacker,
+      List<Long> victims,
+      ProcessSample before,
+      int groups) {}
+
+  private AttackResult measure(Scene scene) throws Exception {
+    TaskProcess robot = scene.robot();
+    TaskProcess operator = scene.operator();
+    Duration cpu = ProcessSample.cpu(scene.victims());
     operator.write("listen " + seconds);
     String[] calls = operator.awaitLine("calls", PATIENCE.plusSeconds(seconds)).split(" ");
-    double busy = ProcessSample.cpu(robot.pid()).minus(cpu).toMillis() / 1e3;
-    ProcessSample during = ProcessSample.of(robot.pid());
+    double busy = ProcessSample.cpu(scene.victims()).minus(cpu).toMillis() / 1e3;
+    ProcessSample during = ProcessSample.of(scene.victims());
 
     operator.write("fall silent");
     long silence = micros(operator.awaitLine("silent", PATIENCE));
@@ -195,25 +251,42 @@ final class AttackBench implements Bench {
     long order = micros(operator.awaitLine("stopped", PATIENCE));
     String[] stopped = awaitStopped(robot, order);
 
+    TaskProcess attacker = scene.attacker();
     attacker.write("stop");
     String[] done = attacker.awaitLine("done", PATIENCE).split(" ", 4);
+    List<Figure> own = new ArrayList<>(FigureLines.read(attacker.lines()));
     attacker.close();
-    return new Result(
+    double recovered = recovery(scene);
+    if (scene.attack().isOnPhoenix()) {
+      int more = groups(robot, scene.attack()) - scene.groups();
+      own.add(new Figure("groups added at phoenix", more, 0, ""));
+    }
+    return new AttackResult(
         Long.parseLong(calls[4]) / 1e3,
         Integer.parseInt(calls[2]),
         busy,
-        during.threads() - before.threads(),
-        during.heapBytes() - before.heapBytes(),
+        during.threads() - scene.before().threads(),
+        during.heapBytes() - scene.before().heapBytes(),
         (Long.parseLong(silent[2]) - silence) / 1e6,
         (Long.parseLong(silent[1]) - silence) / 1e6,
         Math.max(0, Long.parseLong(stopped[1]) - order) / 1e6,
-        recovery(robot, before),
+        recovered,
         Long.parseLong(done[1]),
-        Long.parseLong(done[2]));
+        Long.parseLong(done[2]),
+        own);
   }
 
   private static long micros(String line) {
     return Long.parseLong(line.split(" ")[1]);
+  }
+
+  /** How many groups the robot's phoenix has; 0 where it has no phoenix. */
+  private static int groups(TaskProcess robot, AttackCase attack) throws Exception {
+    if (!attack.isOnPhoenix()) {
+      return 0;
+    }
+    robot.write(HonestRobot.GROUPS);
+    return Integer.parseInt(robot.awaitLine("groups", PATIENCE).split(" ")[1]);
   }
 
   /** The wheels' line once they have not moved for a while. */
@@ -232,50 +305,30 @@ final class AttackBench implements Bench {
     throw new IOException("the wheels did not stop within " + PATIENCE.toSeconds() + " s");
   }
 
-  /** Seconds until threads and heap are within the limits again; infinite if they stay above. */
-  private static double recovery(TaskProcess robot, ProcessSample before) throws Exception {
+  /**
+   * Seconds until threads and heap are within the limits again; if they stay above, how long that
+   * was awaited, which is more than they may take.
+   */
+  private static double recovery(Scene scene) throws Exception {
     long began = System.nanoTime();
     while (true) {
-      ProcessSample now = ProcessSample.of(robot.pid());
+      ProcessSample now = ProcessSample.of(scene.victims());
       double after = (System.nanoTime() - began) / 1e9;
-      if (now.threads() - before.threads() <= MOST_THREADS
-          && now.heapBytes() - before.heapBytes() <= MOST_MEGABYTES * MEGABYTE) {
+      if (AttackResult.isNormal(now, scene.before())
+          || after > 2 * AttackResult.RECOVERY.toSeconds()) {
         return after;
       }
-      if (after > 2 * RECOVERY.toSeconds()) {
-        return Double.POSITIVE_INFINITY;
+    }
+  }
+
+  /** What cannot be deleted is left: the figures count more than the folder. */
+  private static void delete(Path folder, Report report) {
+    try (Stream<Path> all = Files.walk(folder)) {
+      for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(each);
       }
+    } catch (IOException | UncheckedIOException e) {
+      report.say("The folder " + folder + " is left: " + e);
     }
-  }
-
-  private static void judge(Report report, Attack attack, Result result, Result neutral) {
-    String beside = " beside " + attack.name();
-    report.say(
-        "  %d calls of the attacker, %d refused; %d honest calls failed"
-            .formatted(result.calls(), result.refused(), result.failed()));
-    wheels(report, attack, result);
-    report.figure(
-        "p99 of honest calls" + beside + ", times that beside " + NEUTRAL.name(),
-        result.p99() / neutral.p99(),
-        MOST_RATIO,
-        "");
-    report.figure("threads added" + beside, result.threads(), MOST_THREADS, "");
-    report.figure("heap added" + beside, result.heap() / MEGABYTE, MOST_MEGABYTES, "MB");
-    if (result.refused() > 0) {
-      double more = Math.max(0, result.cpu() - neutral.cpu());
-      report.figure("CPU for each refused call" + beside, more / result.refused(), MOST_CPU, "s");
-    }
-    report.figure(
-        "back to normal after " + attack.name(), result.recovered(), RECOVERY.toSeconds(), "s");
-  }
-
-  private static void wheels(Report report, Attack attack, Result result) {
-    String beside = " beside " + attack.name();
-    report.figure(
-        "wheels slower after the last command" + beside, result.slower(), MOST_SLOWER, "s");
-    report.figure(
-        "wheels stopped after the last command" + beside, result.silent(), MOST_STOPPED, "s");
-    report.figure(
-        "wheels stopped after the emergency stop" + beside, result.stopped(), MOST_STOPPED, "s");
   }
 }

@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Benchmarks:",
-      "  attack        a robot under attack by a stranger (ten minutes; less by --seconds)",
+      "  attack        a robot under attack by a stranger (twelve minutes; less by --seconds)",
       "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, the latency of events alone",

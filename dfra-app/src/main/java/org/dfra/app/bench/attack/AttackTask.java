@@ -2,19 +2,28 @@ package org.dfra.app.bench.attack;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
+import org.dfra.app.figure.Figure;
 import org.dfra.flow.effector.DriveEffector;
+import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An attack that is repeated until its input has a line or ends. It prints {@code begins}, and at
- * the end {@code done CALLS REFUSED REASON}, the reason being that of the last refusal.
+ * An attack that is repeated until its input has a line or ends, and done once at least. It prints
+ * {@code begins}, {@code refused REASON} when the robot refuses something for the first time, and
+ * at the end its {@linkplain FigureLines own figures} and {@code done CALLS REFUSED REASON}, the
+ * reason being that of the last refusal.
  *
  * <p>Its arguments are those of {@link Target#arguments}. One thread attacks; another reads the
  * input.
@@ -28,13 +37,36 @@ public abstract class AttackTask implements Task {
    * @param host the robot's address
    * @param registrarPort port of its registrar for unicast discovery
    * @param classPort port of its class server
+   * @param phoenixPort port of its phoenix; 0 where it has none
+   * @param groupLock the lock file of one of phoenix's groups; empty where there is none
+   * @param folder an empty folder that the attacker may write into; empty where it needs none
    */
-  public record Target(String source, String host, int registrarPort, int classPort) {
+  public record Target(
+      String source,
+      String host,
+      int registrarPort,
+      int classPort,
+      int phoenixPort,
+      Path groupLock,
+      Path folder) {
+
+    private static final Path NONE = Path.of("");
+
+    /** A robot without phoenix, and an attack that writes nothing. */
+    public Target(String source, String host, int registrarPort, int classPort) {
+      this(source, host, registrarPort, classPort, 0, NONE, NONE);
+    }
 
     /** Arguments of the attack's process. */
     public String[] arguments() {
       return new String[] {
-        source, host, Integer.toString(registrarPort), Integer.toString(classPort)
+        source,
+        host,
+        Integer.toString(registrarPort),
+        Integer.toString(classPort),
+        Integer.toString(phoenixPort),
+        groupLock.toString(),
+        folder.toString()
       };
     }
 
@@ -43,7 +75,10 @@ public abstract class AttackTask implements Task {
           arguments[0],
           arguments[1],
           Integer.parseInt(arguments[2]),
-          Integer.parseInt(arguments[3]));
+          Integer.parseInt(arguments[3]),
+          Integer.parseInt(arguments[4]),
+          Path.of(arguments[5]),
+          Path.of(arguments[6]));
     }
 
     SourceSockets sockets() {
@@ -58,7 +93,10 @@ public abstract class AttackTask implements Task {
     /** How the registrar holds the robot's drive. */
     ServiceItem drive() throws IOException {
       Class<?>[] types = {DriveEffector.class};
-      ServiceItem[] found = registrar().lookup(new ServiceTemplate(null, types, null), 1).items;
+      ModuleEntry robots = new ModuleEntry();
+      robots.robot = HonestRobot.NAME; // and no fake of another robot
+      ServiceTemplate honest = new ServiceTemplate(null, types, new Entry[] {robots});
+      ServiceItem[] found = registrar().lookup(honest, 1).items;
       if (found.length == 0 || found[0].service == null) {
         throw new IOException("the registrar at " + host + ":" + registrarPort + " has no drive");
       }
@@ -71,10 +109,13 @@ public abstract class AttackTask implements Task {
     }
   }
 
+  private static final Duration PATIENCE = Duration.ofSeconds(10);
+
   private volatile boolean stopping;
   private long calls; // by the attacking thread, as the others
   private long refused;
   private @Nullable Exception refusal;
+  private @Nullable PrintStream lines; // from the beginning of the attack on
 
   /** For subclasses. */
   protected AttackTask() {}
@@ -87,9 +128,12 @@ public abstract class AttackTask implements Task {
     Target target = Target.parse(args);
     prepare(target);
     out.println("begins");
-    while (!stopping) {
+    lines = out;
+    do {
       attack(target);
-    }
+    } while (!stopping);
+    end(target);
+    figures().stream().map(FigureLines::write).forEach(out::println);
     out.println("done " + calls + " " + refused + " " + refusal);
   }
 
@@ -116,6 +160,18 @@ public abstract class AttackTask implements Task {
    */
   protected abstract void attack(Target target) throws Exception;
 
+  /**
+   * Does what is to be done once, after the robot's wheels were measured.
+   *
+   * @throws Exception if it shows that the attack did not reach the robot
+   */
+  protected void end(Target target) throws Exception {}
+
+  /** What it measured itself, at its end. */
+  protected List<Figure> figures() {
+    return List.of();
+  }
+
   /** Whether the attack is to end. */
   protected final boolean isStopping() {
     return stopping;
@@ -127,9 +183,46 @@ public abstract class AttackTask implements Task {
     try {
       return call.call();
     } catch (Exception e) { // of whatever kind: kept, and printed at the end
-      refused++;
-      refusal = e;
+      refusedBy(e);
       return null;
+    }
+  }
+
+  /**
+   * Counts a call that was refused and that {@link #attempt} did not make.
+   *
+   * @param what was refused
+   */
+  protected final void countRefused(String what) {
+    calls++;
+    refusedBy(new IOException("refused: " + what));
+  }
+
+  private void refusedBy(Exception reason) {
+    refusal = reason;
+    if (refused++ == 0 && lines != null) {
+      lines.println("refused " + reason);
+    }
+  }
+
+  /**
+   * Sends a request that was written by hand.
+   *
+   * @param proxy of the called object
+   * @throws RemoteException if it was refused, or not answered
+   * @throws IOException if it cannot be sent
+   */
+  protected static RawCall.Answer send(Object proxy, byte[] request)
+      throws IOException, InterruptedException {
+    try (RawCall call = RawCall.to(proxy)) {
+      RawCall.Answer answer = call.send(request).finish(PATIENCE);
+      if (answer.status() == RawCall.Status.THREW) {
+        throw new RemoteException("refused: " + answer.object());
+      }
+      if (answer.status() != RawCall.Status.RETURNED) {
+        throw new RemoteException("not answered: " + answer.status(), answer.failure());
+      }
+      return answer;
     }
   }
 

@@ -3,8 +3,6 @@ package org.dfra.app.bench.attack;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
-import java.rmi.RemoteException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,12 +11,15 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
 /**
- * Calls a method of the drive with arguments that cost much to read: nested sets, whose hash codes
- * are computed again at every level, and a table whose keys all have the same hash code.
+ * Calls a method of the drive that strangers may call with arguments that cost much to read: nested
+ * sets, whose hash codes are computed again at every level, and a table whose keys all have the
+ * same hash code. Of an administrative method the arguments would not be read.
  */
 public final class HashBombs extends AttackTask {
 
@@ -26,7 +27,6 @@ public final class HashBombs extends AttackTask {
   private static final int KEYS = 10_000;
   private static final int PAIRS = 14; // of characters: 16384 texts with one hash code
   private static final long STACK = 512L << 20; // to write what is nested so deeply
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private final List<byte[]> bombs = new ArrayList<>();
 
@@ -47,13 +47,14 @@ public final class HashBombs extends AttackTask {
   }
 
   private static byte[] call(Object argument) throws IOException, NoSuchMethodException {
-    Method method = RemoteModule.class.getMethod("setParameter", String.class, String.class);
+    Method method =
+        RemoteModule.class.getMethod("subscribe", ModuleListener.class, DeliveryPolicy.class);
     return CallBytes.with(method, out -> write(out, argument));
   }
 
   private static void write(ObjectOutputStream out, Object argument) throws IOException {
     out.writeObject(argument);
-    out.writeObject("1");
+    out.writeObject(DeliveryPolicy.keepLast(1));
   }
 
   private static Object nestedSets() {
@@ -92,20 +93,6 @@ public final class HashBombs extends AttackTask {
       for (byte[] bomb : bombs) {
         var unused = attempt(() -> send(drive, bomb));
       }
-    }
-  }
-
-  /** Fails where the call was refused, which is an answer too. */
-  private static RawCall.Answer send(RemoteDriveEffector drive, byte[] bomb) throws Exception {
-    try (RawCall call = RawCall.to(drive)) {
-      RawCall.Answer answer = call.send(bomb).finish(PATIENCE);
-      if (answer.status() == RawCall.Status.THREW) {
-        throw new RemoteException("refused: " + answer.object());
-      }
-      if (answer.status() != RawCall.Status.RETURNED) {
-        throw new RemoteException("not answered: " + answer.status(), answer.failure());
-      }
-      return answer;
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.app.bench.attack;
 
 import java.io.BufferedReader;
+import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -13,10 +14,12 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
+import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.app.demo.stage.FieldRobot;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.time.RobotTime;
 import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.discovery.MulticastSearch;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.ClassServer;
 import org.dfra.river.loading.TrustedCode;
@@ -25,12 +28,22 @@ import org.dfra.sim.run.Simulation;
 import org.dfra.sim.run.Simulation.Ports;
 import org.dfra.sim.world.Truth;
 import org.dfra.sim.world.file.WorldXml;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A robot of the team {@code raster} with its registrar, a class server without jars and the
  * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to
  * each line of its input how its wheels move: {@code wheels MOVED CRUISED}, microseconds of the
  * epoch when they last moved at all and when they last moved at {@link #CRUISE}.
+ *
+ * <p>Two things that robots elsewhere have, it has where its arguments say so:
+ *
+ * <pre>
+ *   search           searches for lookup services by multicast that does not leave this computer
+ *   phoenix=FOLDER   starts a phoenix with one group, which outlives it: "phoenix PORT PID" as soon
+ *                    as it runs, then "lock FILE" of the group. It answers "groups" in its input
+ *                    with "groups COUNT" of that phoenix.
+ * </pre>
  *
  * <p>Besides the robot's own threads one looks how fast the robot truly is, {@value #RATE} times a
  * second.
@@ -42,6 +55,15 @@ public final class HonestRobot implements Task {
 
   /** Where it listens. */
   static final String HOST = "127.0.0.1";
+
+  /** An argument: that it searches by multicast. */
+  public static final String SEARCH = "search";
+
+  /** How an argument begins: that it has a phoenix, and the folder of its state. */
+  public static final String PHOENIX = "phoenix=";
+
+  /** A line of its input: how many groups its phoenix has. */
+  public static final String GROUPS = "groups";
 
   /** The speed at which the operator drives, metres per second. */
   static final double CRUISE = 0.3;
@@ -55,19 +77,31 @@ public final class HonestRobot implements Task {
   private static final int RATE = 200; // hertz
 
   private static final Path CONFIG = Path.of(System.getProperty("dfra.root", "."), "config");
-  private static final Path WORLD = CONFIG.resolve("worlds/raster.xml");
-  private static final Path XML = CONFIG.resolve("teams/raster/" + NAME + ".xml");
+
+  /** The field. */
+  static final Path WORLD = CONFIG.resolve("worlds/raster.xml");
+
+  /** The robot's description. */
+  static final Path XML = CONFIG.resolve("teams/raster/" + NAME + ".xml");
 
   private volatile Instant moved = Instant.EPOCH;
   private volatile Instant cruised = Instant.EPOCH;
+  private @Nullable AttackedPhoenix phoenix;
 
   /** As every task is made. */
   public HonestRobot() {}
 
+  /** Arguments: those of the class. */
   @Override
   public void run(String[] args, PrintStream out) throws Exception {
     SerialFilters.install();
     TrustedCode.install();
+    List<String> wanted = List.of(args);
+    for (String each : wanted) {
+      if (each.startsWith(PHOENIX)) {
+        start(new AttackedPhoenix(Path.of(each.substring(PHOENIX.length()))), out);
+      }
+    }
     InstantSource clock = RobotTime.clock();
     try (Simulation simulation = Simulation.overTcp(WorldXml.read(WORLD), clock, Ports.ANY)) {
       simulation.start();
@@ -76,14 +110,42 @@ public final class HonestRobot implements Task {
         robot.start();
         classes.start();
         watch(simulation.world().truth(), clock);
+        if (wanted.contains(SEARCH)) {
+          MulticastSearch unused = // its threads keep it until the process ends
+              LocalMulticast.search(robot.description().lookupGroups(), new Unheeded());
+        }
         out.println("registrar " + robot.registrar().port() + " classes " + classes.port());
         BufferedReader in =
             new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
-        while (in.readLine() != null) {
-          out.println("wheels " + micros(moved) + " " + micros(cruised));
+        for (String line; (line = in.readLine()) != null; ) {
+          out.println(answer(line));
         }
       }
     }
+  }
+
+  private void start(AttackedPhoenix made, PrintStream out) throws Exception {
+    long pid = made.start();
+    out.println("phoenix " + made.port() + " " + pid);
+    out.println("lock " + made.bringUp());
+    phoenix = made;
+  }
+
+  private String answer(String line) throws IOException {
+    AttackedPhoenix started = phoenix;
+    return line.equals(GROUPS) && started != null
+        ? "groups " + started.groups()
+        : "wheels " + micros(moved) + " " + micros(cruised);
+  }
+
+  /** The robot is found by its own registrar; what else is found does not matter here. */
+  private static final class Unheeded implements MulticastSearch.Listener {
+
+    @Override
+    public void found(ServiceRegistrar registrar) {}
+
+    @Override
+    public void lost(ServiceRegistrar registrar) {}
   }
 
   private static RobotDescription described(Simulation simulation) throws Exception {

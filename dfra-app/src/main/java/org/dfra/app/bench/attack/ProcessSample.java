@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -35,6 +36,23 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return new ProcessSample(threads, cpu, heapBytes(pid));
   }
 
+  /**
+   * Takes one of several processes and adds them up.
+   *
+   * @param pids virtual machines, as {@link #of(long)} takes them
+   * @throws IOException as there
+   */
+  public static ProcessSample of(List<Long> pids) throws IOException, InterruptedException {
+    ProcessSample sum = new ProcessSample(0, Duration.ZERO, 0);
+    for (long each : pids) {
+      ProcessSample more = of(each);
+      sum =
+          new ProcessSample(
+              sum.threads + more.threads, sum.cpu.plus(more.cpu), sum.heapBytes + more.heapBytes);
+    }
+    return sum;
+  }
+
   /** How many threads a process has now. */
   public static int threads(long pid) throws IOException, InterruptedException {
     Path status = Path.of("/proc", Long.toString(pid), "status");
@@ -53,6 +71,15 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return ProcessHandle.of(pid)
         .flatMap(process -> process.info().totalCpuDuration())
         .orElseThrow(() -> new IOException("process " + pid + " has ended, or is another user's"));
+  }
+
+  /** The CPU time that several processes have used since they started, added up. */
+  public static Duration cpu(List<Long> pids) throws IOException {
+    Duration sum = Duration.ZERO;
+    for (long each : pids) {
+      sum = sum.plus(cpu(each));
+    }
+    return sum;
   }
 
   /** Bytes of a virtual machine's objects after a full collection. */

@@ -6,8 +6,11 @@ import java.io.Writer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.dfra.river.bootstrap.JvmCommand;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A {@link Task} in a process of its own, with this virtual machine's class path. Its lines are
@@ -27,6 +30,8 @@ public final class TaskProcess implements AutoCloseable {
   private final StringBuilder log = new StringBuilder(); // guarded by itself
   private int next; // guarded by this: the first line that was not awaited yet
   private boolean ended; // guarded by this: whether no more lines come
+  private @Nullable ProcessHandle daemon; // guarded by this; see endsWithThis
+  private @Nullable Thread lastResort; // guarded by this
 
   private TaskProcess(String name, Process process) {
     this.name = name;
@@ -173,6 +178,47 @@ public final class TaskProcess implements AutoCloseable {
     return process.pid();
   }
 
+  /**
+   * Has a process that the task started end with this one, and with this virtual machine, together
+   * with all that it started: a daemon such as phoenix, which outlives who starts it. At most one.
+   *
+   * @param pid its process number
+   * @throws IOException if there is no such process
+   */
+  public synchronized void endsWithThis(long pid) throws IOException {
+    if (daemon != null) {
+      throw new IllegalStateException(name + " has another daemon, process " + daemon.pid());
+    }
+    ProcessHandle found =
+        ProcessHandle.of(pid).orElseThrow(() -> new IOException("there is no process " + pid));
+    Thread hook = new Thread(() -> killAll(found), "ends process " + pid);
+    Runtime.getRuntime().addShutdownHook(hook);
+    daemon = found;
+    lastResort = hook;
+  }
+
+  /** What it started comes last: until then it would be started again. */
+  private static List<ProcessHandle> killAll(ProcessHandle daemon) {
+    List<ProcessHandle> all = Stream.concat(Stream.of(daemon), daemon.descendants()).toList();
+    all.forEach(ProcessHandle::destroyForcibly);
+    return all;
+  }
+
+  private synchronized void killDaemon() {
+    if (daemon == null || lastResort == null) {
+      return;
+    }
+    CompletableFuture<?>[] ends =
+        killAll(daemon).stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new);
+    var unused =
+        CompletableFuture.allOf(ends)
+            .completeOnTimeout(null, END.toMillis(), TimeUnit.MILLISECONDS)
+            .join();
+    Runtime.getRuntime().removeShutdownHook(lastResort);
+    daemon = null;
+    lastResort = null;
+  }
+
   /** Whether it still runs. */
   public boolean isAlive() {
     return process.isAlive();
@@ -193,10 +239,11 @@ public final class TaskProcess implements AutoCloseable {
     return process.exitValue();
   }
 
-  /** Ends this process, and no other, with -9. Idempotent. */
+  /** Ends this process, with -9, and its daemon where it has one; no other. Idempotent. */
   @Override
   public void close() throws InterruptedException {
     process.destroyForcibly();
+    killDaemon();
     if (!process.waitFor(END.toMillis(), TimeUnit.MILLISECONDS)) {
       throw new IllegalStateException("process " + pid() + " does not end after SIGKILL");
     }

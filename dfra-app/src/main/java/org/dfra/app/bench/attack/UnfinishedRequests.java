@@ -1,6 +1,7 @@
 package org.dfra.app.bench.attack;
 
 import java.lang.reflect.Method;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -8,12 +9,16 @@ import java.util.List;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
-/** Opens thousands of requests over few connections and never finishes one. */
+/**
+ * Opens thousands of requests over few connections and never finishes one. They call a method that
+ * strangers may call: a request for an administrative one is refused before it is complete.
+ */
 public final class UnfinishedRequests extends AttackTask {
 
   private static final int CONNECTIONS = 25;
   private static final int REQUESTS = 120; // over each; JERI allows 128
   private static final long AGAIN_MILLIS = 20;
+  private static final Duration LEASE = Duration.ofSeconds(5); // never granted
 
   private final List<RemoteDriveEffector> connections = new ArrayList<>();
   private final Deque<RawCall> open = new ArrayDeque<>();
@@ -24,8 +29,8 @@ public final class UnfinishedRequests extends AttackTask {
 
   @Override
   protected void prepare(Target target) throws Exception {
-    Method method = RemoteModule.class.getMethod("setParameter", String.class, String.class);
-    bytes = CallBytes.of(method, "max_speed", "1");
+    Method method = RemoteModule.class.getMethod("use", Duration.class);
+    bytes = CallBytes.of(method, LEASE);
     RemoteDriveEffector drive = target.remoteDrive();
     for (int i = 0; i < CONNECTIONS; i++) {
       connections.add(Rebased.of(drive, target.sockets().another()));

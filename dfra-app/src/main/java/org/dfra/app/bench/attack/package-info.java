@@ -7,7 +7,9 @@
  *                              | SourceSockets: connects from the attacker's address
  *                              | Rebased: stock proxies that use these sockets
  *                              | RawCall + CallBytes: requests written by hand
- *   ProcessSample: threads, CPU time and heap of the attacked process
+ *   OtherUser --starts--&gt; the same, as a user without rights
+ *   ProcessSample: threads, CPU time and heap of the attacked processes
+ *   FigureLines: what an attack has measured itself, such as by a TerminalCheck
  * </pre>
  *
  * <p>Enter at {@link org.dfra.app.bench.attack.TaskProcess}.

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.app.bench.attack;
 
 import java.io.Serializable;
 import java.lang.reflect.InvocationHandler;
@@ -35,15 +35,15 @@ import org.jspecify.annotations.Nullable;
  * A drive of an attacker's, which answers every question with text that would control a terminal or
  * begin a line with {@link #FORGED}. What it cannot answer it throws as a message.
  */
-final class HostileModule implements InvocationHandler, Serializable {
+public final class HostileModule implements InvocationHandler, Serializable {
 
   private static final long serialVersionUID = 1L;
 
   /** What an operator must not read at the beginning of a line. */
-  static final String FORGED = "2 effectors: 2 stopped.";
+  public static final String FORGED = "2 effectors: 2 stopped.";
 
-  /** Erases the screen, writes the clipboard, turns the direction of writing, begins lines. */
-  static final String TEXT =
+  /** Erases the screen, writes the clipboard, reverses the direction of writing, begins lines. */
+  public static final String TEXT =
       "x\u001b[2J\u001b]52;c;eA==\u0007\u009b2J\u202e\u2028\r"
           + FORGED
           + "\n"
@@ -52,12 +52,12 @@ final class HostileModule implements InvocationHandler, Serializable {
           + FORGED;
 
   /** As a name; the first line needs no control character. */
-  static final String NAME = FORGED + "\u009b2K\n" + FORGED;
+  public static final String NAME = FORGED + "\u009b2K\n" + FORGED;
 
   private HostileModule() {}
 
   /** Its proxy. */
-  static DriveEffector proxy() {
+  public static DriveEffector proxy() {
     return (DriveEffector) proxy(DriveEffector.class, Administrable.class);
   }
 
@@ -67,7 +67,7 @@ final class HostileModule implements InvocationHandler, Serializable {
   }
 
   /** What it registers with. */
-  static List<Attributes> attributes() {
+  public static List<Attributes> attributes() {
     return List.of(
         new ModuleAttributes(
             NAME,
@@ -83,8 +83,31 @@ final class HostileModule implements InvocationHandler, Serializable {
         new StopAttributes(true, TEXT, Instant.EPOCH));
   }
 
+  /**
+   * What a drive registers with that was stopped for an emergency, and all of whose texts but the
+   * requester's name are harmless.
+   *
+   * @param robot its robot
+   * @param by who stopped it, as its attributes say
+   */
+  public static List<Attributes> stopped(String robot, String by) {
+    return List.of(
+        new ModuleAttributes(
+            robot,
+            "drive",
+            "org.example.Fake",
+            "127.0.0.1",
+            "",
+            "1",
+            Readiness.READY,
+            Instant.EPOCH,
+            null,
+            0),
+        new StopAttributes(true, by, Instant.EPOCH));
+  }
+
   /** What its robot says of itself. */
-  static PersonaAttributes persona() {
+  public static PersonaAttributes persona() {
     return new PersonaAttributes(NAME, TEXT, List.of(TEXT), List.of(TEXT));
   }
 

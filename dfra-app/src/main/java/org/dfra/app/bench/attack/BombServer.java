@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.app.bench.attack;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -18,7 +18,7 @@ import java.util.List;
  *
  * <p>One thread serves one client after the other, until {@link #close}.
  */
-final class BombServer implements AutoCloseable {
+public final class BombServer implements AutoCloseable {
 
   private static final int REQUEST = 4;
   private static final int SOCKET_MILLIS = 5_000;
@@ -36,8 +36,9 @@ final class BombServer implements AutoCloseable {
    * @param host where it and the honest lookup service listen
    * @param honestPort the honest one's port for unicast discovery
    * @param count how many bombs are thrown before it is honest
+   * @throws IOException if it cannot listen there
    */
-  BombServer(String host, int honestPort, List<byte[]> bombs, int count) throws IOException {
+  public BombServer(String host, int honestPort, List<byte[]> bombs, int count) throws IOException {
     this.host = host;
     this.honestPort = honestPort;
     this.bombs = List.copyOf(bombs);
@@ -49,7 +50,7 @@ final class BombServer implements AutoCloseable {
   }
 
   /** A small answer that claims as many groups as there can be. */
-  static byte[] claimOfGroups() throws IOException {
+  public static byte[] claimOfGroups() throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
       out.writeObject(new MarshalledObject<>(null));
@@ -59,7 +60,7 @@ final class BombServer implements AutoCloseable {
   }
 
   /** A small answer whose lookup service is an array of 4 million numbers, as it claims. */
-  static byte[] claimOfNumbers() throws IOException {
+  public static byte[] claimOfNumbers() throws IOException {
     long[] some = new long[3];
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
@@ -78,12 +79,17 @@ final class BombServer implements AutoCloseable {
   }
 
   /** Where it is found: {@code jini://host:port}. */
-  String locator() {
+  public String locator() {
     return "jini://" + host + ":" + server.getLocalPort();
   }
 
+  /** The TCP port on which it listens. */
+  public int port() {
+    return server.getLocalPort();
+  }
+
   /** How many bombs were thrown. */
-  int thrown() {
+  public int thrown() {
     return thrown;
   }
 

@@ -1,6 +1,4 @@
-package org.dfra.attack;
-
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
+package org.dfra.app.bench.attack;
 
 import java.io.File;
 import java.io.IOException;
@@ -10,23 +8,26 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.dfra.app.bench.attack.Task;
-import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.river.bootstrap.JvmCommand;
 
 /**
  * The user {@code nobody} on the robot's own computer, who has no rights. Only root can start
- * processes as another user, so a test that needs one reports itself skipped for others.
+ * processes as another user.
  *
- * <p>The classes of the tests are often where only their own user reads them, so {@code nobody}
- * gets links to them, or copies.
+ * <p>The classes of a build are often where only their own user reads them, so {@code nobody} gets
+ * links to them, or copies.
  */
-final class OtherUser {
+public final class OtherUser {
 
   /** As the system writes it. */
-  static final String NAME = "nobody";
+  public static final String NAME = "nobody";
+
+  /** What is missing where {@link #find} finds none. */
+  public static final String NEEDS =
+      "root and setpriv, and java and a temporary folder that user " + NAME + " may use";
 
   private static final int ID = 65_534;
   private static final List<String> BECOME =
@@ -40,23 +41,35 @@ final class OtherUser {
   }
 
   /**
-   * The user, or the end of a test that cannot have one.
+   * The user; empty where this process cannot start others as that user.
    *
-   * @param folder an empty folder for the classes, in one of the test's own; everybody may read
-   *     both afterwards
+   * @param folder an empty folder for the classes; everybody may read it and the one that it is in
+   *     afterwards
+   * @throws IOException if the classes cannot be copied, or a command of the user does not end
    */
-  static OtherUser assumed(Path folder) throws IOException, InterruptedException {
-    assumeTrue(
-        run(List.of("true")), "only root can start processes as user " + NAME + ", with setpriv");
+  public static Optional<OtherUser> find(Path folder) throws IOException, InterruptedException {
+    if (!run(List.of("true"))) {
+      return Optional.empty();
+    }
     open(folder);
-    open(folder.getParent());
-    assumeTrue(run(List.of("ls", folder.toString())), "user " + NAME + " cannot enter " + folder);
+    open(folder.toAbsolutePath().resolve("..").normalize());
+    if (!run(List.of("ls", folder.toString()))) {
+      return Optional.empty();
+    }
     OtherUser user = new OtherUser(options(folder));
     List<String> version = new ArrayList<>(List.of(JvmCommand.java()));
     version.addAll(user.options);
     version.add("-version");
-    assumeTrue(run(version), "user " + NAME + " cannot run " + JvmCommand.java());
-    return user;
+    return run(version) ? Optional.of(user) : Optional.empty();
+  }
+
+  /**
+   * Lets everybody write into a folder.
+   *
+   * @throws IOException if it is not this user's
+   */
+  public static void share(Path folder) throws IOException {
+    Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
   }
 
   /** Whether the user can run a command. */
@@ -82,9 +95,27 @@ final class OtherUser {
     }
   }
 
-  /** Runs a task as this user. */
-  TaskProcess start(Class<? extends Task> task, String... args) throws IOException {
-    return TaskProcess.start(BECOME, options, task, args);
+  /**
+   * Runs a task as this user.
+   *
+   * @throws IOException if it cannot be started
+   */
+  public TaskProcess start(Class<? extends Task> task, String... args) throws IOException {
+    return start(List.of(), task, args);
+  }
+
+  /**
+   * Runs a task as this user.
+   *
+   * @param prefix a program that becomes the task's process, with its arguments, as for {@link
+   *     TaskProcess#start(List, List, Class, String...)}
+   * @throws IOException if it cannot be started
+   */
+  public TaskProcess start(List<String> prefix, Class<? extends Task> task, String... args)
+      throws IOException {
+    List<String> command = new ArrayList<>(prefix);
+    command.addAll(BECOME);
+    return TaskProcess.start(command, options, task, args);
   }
 
   /** Paths that this user can read, after those that it perhaps cannot. */
@@ -106,9 +137,10 @@ final class OtherUser {
     for (String each : path.split(File.pathSeparator, -1)) {
       Path entry = Path.of(each);
       if (Files.exists(entry)) {
-        Path to = Files.createTempDirectory(folder, "classes").resolve(entry.getFileName());
+        Path own = Files.createTempDirectory(folder, "classes");
+        Path to = own.resolve(String.valueOf(entry.getFileName()));
         copy(entry, to);
-        open(to.getParent());
+        open(own);
         entries.add(to.toString());
       }
     }
