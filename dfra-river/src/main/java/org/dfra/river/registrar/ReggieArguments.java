@@ -157,7 +157,7 @@ final class ReggieArguments {
   private void entry(Object entry) {
     Object described = present(ReggieFields.value(entryClass, entry), "an entry class");
     descriptors.check(described);
-    Object fields = present(ReggieFields.value(entryFields, entry), "an array of an entry's fields");
+    Object fields = present(ReggieFields.value(entryFields, entry), "an array of fields");
     int count = descriptors.fieldCount(described);
     if (fields.getClass() != Object[].class || Array.getLength(fields) != count) {
       throw malformed("an entry has other fields than its class, which has " + count);
