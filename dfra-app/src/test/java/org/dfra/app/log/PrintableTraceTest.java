@@ -20,8 +20,7 @@ class PrintableTraceTest {
 
   @Test
   void manyFramesAreCountedAndNotShown() {
-    String[] lines =
-        PrintableTrace.of(withFrames(100_000, null)).split(System.lineSeparator(), -1);
+    String[] lines = PrintableTrace.of(withFrames(100_000, null)).split(System.lineSeparator(), -1);
     assertThat(lines).hasSize(PrintableTrace.MOST_LINES + 2); // and the end of the last
     assertThat(lines[0]).isEqualTo("java.lang.Exception: from afar");
     assertThat(lines[lines.length - 2])
