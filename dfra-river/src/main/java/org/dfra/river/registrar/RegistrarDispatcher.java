@@ -191,8 +191,10 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     for (ReggieState.Listed each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed =
-          namesRobot ? new Source(null, true) : source(Caller.at(claims.host(entries)));
+      Source presumed = // the host is the registrant's own claim, so never the robot's
+          namesRobot
+              ? new Source(null, true)
+              : new Source(Caller.at(claims.host(entries)).address(), false);
       rules.registered(presumed, each.id(), namesRobot, size(presumed, each.item()));
     }
     for (long each : state.listeners()) {
