@@ -75,10 +75,15 @@ final class Fakes {
         .notify(
             new ServiceTemplate(new ServiceID(4711, 4711), null, null),
             ServiceRegistrar.TRANSITION_NOMATCH_MATCH,
-            new Deaf(),
+            deaf(),
             (MarshalledObject<?>) null,
             LEASE_MILLIS)
         .getID();
+  }
+
+  /** A listener that is copied, and to which nothing is to be reported. */
+  static RemoteEventListener deaf() {
+    return new Deaf();
   }
 
   /** A listener that is copied, and does nothing. */

@@ -9,13 +9,22 @@ import org.jspecify.annotations.Nullable;
 /**
  * An exception with its stack trace and causes, in Logback's form, with each message and frame
  * {@linkplain Printable printable} and on one line. An exception that came from another computer
- * has messages and frames of that computer's choice.
+ * has messages and frames of that computer's choice, and as many as it likes: {@value #MOST_LINES}
+ * lines are kept.
  */
 public final class PrintableTrace {
 
+  /** Lines of one exception; a virtual machine's own have at most 1024 frames each. */
+  static final int MOST_LINES = 4096;
+
   private static final String END = System.lineSeparator();
 
-  private PrintableTrace() {}
+  private final StringBuilder text;
+  private int lines;
+
+  private PrintableTrace(StringBuilder text) {
+    this.text = text;
+  }
 
   /** Its lines, each with its end. */
   public static String of(Throwable thrown) {
@@ -26,32 +35,43 @@ public final class PrintableTrace {
 
   /** Appends its lines, each with its end. */
   static void append(StringBuilder text, IThrowableProxy thrown) {
-    append(text, thrown, "", 1);
+    PrintableTrace trace = new PrintableTrace(text);
+    trace.append(thrown, "", 1);
+    int omitted = trace.lines - MOST_LINES;
+    if (omitted > 0) {
+      text.append("... ").append(omitted).append(" more lines omitted").append(END);
+    }
+  }
+
+  /** Adds a line, or only counts it where there are too many. */
+  private void line(String margin, String content) {
+    if (lines++ < MOST_LINES) {
+      text.append(margin).append(content).append(END);
+    }
   }
 
   /**
    * @param indent tabulators before each of its frames
    */
-  private static void append(
-      StringBuilder text, IThrowableProxy thrown, String relation, int indent) {
+  private void append(IThrowableProxy thrown, String relation, int indent) {
     String what = Printable.line(thrown.getClassName() + ": " + thrown.getMessage());
-    text.append("\t".repeat(indent - 1)).append(relation);
-    text.append(thrown.isCyclic() ? "[CIRCULAR REFERENCE: " + what + "]" : what).append(END);
+    line(
+        "\t".repeat(indent - 1),
+        relation + (thrown.isCyclic() ? "[CIRCULAR REFERENCE: " + what + "]" : what));
     String margin = "\t".repeat(indent);
     StackTraceElementProxy[] frames = thrown.getStackTraceElementProxyArray();
     for (int i = 0; i < frames.length - thrown.getCommonFrames(); i++) {
-      text.append(margin).append(Printable.line(frames[i].toString())).append(END);
+      line(margin, lines < MOST_LINES ? Printable.line(frames[i].toString()) : "");
     }
     if (thrown.getCommonFrames() > 0) {
-      text.append(margin).append("... ").append(thrown.getCommonFrames());
-      text.append(" common frames omitted").append(END);
+      line(margin, "... " + thrown.getCommonFrames() + " common frames omitted");
     }
     for (IThrowableProxy suppressed : thrown.getSuppressed()) {
-      append(text, suppressed, "Suppressed: ", indent + 1);
+      append(suppressed, "Suppressed: ", indent + 1);
     }
     @Nullable IThrowableProxy cause = thrown.getCause();
     if (cause != null) {
-      append(text, cause, "Caused by: ", indent);
+      append(cause, "Caused by: ", indent);
     }
   }
 }

@@ -4,17 +4,19 @@ import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.net.UnknownHostException;
 import javax.net.ServerSocketFactory;
-import org.dfra.river.call.Endpoints;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where a robot's registrar listens for unicast discovery: at one address only, and where its port
- * is taken, it says so. Named in {@code registrar.config}.
+ * is taken, it says so. Clients that connect and send nothing are bounded, see {@link
+ * DiscoveryServerSocket}. Named in {@code registrar.config}.
  */
 public final class DiscoverySockets extends ServerSocketFactory {
 
   private final String host;
-  private final ServerSocketFactory sockets;
+  private final InetAddress address;
 
   /**
    * @param host address or name of this machine
@@ -22,32 +24,29 @@ public final class DiscoverySockets extends ServerSocketFactory {
    */
   public DiscoverySockets(String host) {
     this.host = host;
-    this.sockets = Endpoints.sockets(host);
+    try {
+      this.address = InetAddress.getByName(host);
+    } catch (UnknownHostException e) {
+      throw new IllegalArgumentException(
+          "host " + host + " is not known; name an address of this machine", e);
+    }
   }
 
   @Override
   public ServerSocket createServerSocket(int port) throws IOException {
-    try {
-      return sockets.createServerSocket(port);
-    } catch (BindException e) {
-      throw taken(port, e);
-    }
+    return createServerSocket(port, 0);
   }
 
   @Override
   public ServerSocket createServerSocket(int port, int backlog) throws IOException {
-    try {
-      return sockets.createServerSocket(port, backlog);
-    } catch (BindException e) {
-      throw taken(port, e);
-    }
+    return createServerSocket(port, backlog, address);
   }
 
   @Override
-  public ServerSocket createServerSocket(int port, int backlog, InetAddress address)
+  public ServerSocket createServerSocket(int port, int backlog, @Nullable InetAddress at)
       throws IOException {
     try {
-      return sockets.createServerSocket(port, backlog, address);
+      return new DiscoveryServerSocket(port, backlog, at);
     } catch (BindException e) {
       throw taken(port, e);
     }

@@ -159,6 +159,8 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     Map<String, Supplier<?>> all = new HashMap<>();
     all.put(COMPONENT + "serverExporter", () -> exporter(listeners));
     all.put(COMPONENT + "listenerPreparer", () -> listeners);
+    all.put(COMPONENT + "socketFactory", AnsweringSockets::new);
+    all.put(COMPONENT + "taskManager", RegistrarTasks::new);
     all.putAll(entries);
     all.put(COMPONENT + "initialUnicastDiscoveryPort", () -> wanted);
     LifeCycle life =

@@ -36,6 +36,13 @@ public final class Entries {
 
   private Entries() {}
 
+  /** Every class of entries that modules here may have, without its superclasses. */
+  public static List<Class<?>> kinds() {
+    List<Class<?>> kinds = new ArrayList<>(Known.ALL);
+    kinds.add(RecordEntry.class);
+    return kinds;
+  }
+
   /** All that entries can be made of; looked for when the first is made. */
   private static final class Known {
 

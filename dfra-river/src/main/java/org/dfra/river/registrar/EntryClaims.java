@@ -29,17 +29,18 @@ final class EntryClaims {
 
   private final Field entryClass;
   private final Field fields;
-  private final Field name;
+  private final EntryDescriptors descriptors;
 
   /**
    * @param loader of reggie's classes
    * @throws ReflectiveOperationException if that is no reggie that is known here
    */
-  EntryClaims(@Nullable ClassLoader loader) throws ReflectiveOperationException {
+  EntryClaims(@Nullable ClassLoader loader, EntryDescriptors descriptors)
+      throws ReflectiveOperationException {
     Class<?> entry = Class.forName("com.sun.jini.reggie.EntryRep", false, loader);
     entryClass = ReggieFields.of(entry, "eclass");
     fields = ReggieFields.of(entry, "fields");
-    name = ReggieFields.of(Class.forName("com.sun.jini.reggie.EntryClass", false, loader), "name");
+    this.descriptors = descriptors;
   }
 
   /** Where a field of an entry without superclass fields comes. */
@@ -60,8 +61,8 @@ final class EntryClaims {
 
   /**
    * Whether entries name a robot as the one that they belong to. What cannot be judged does: an
-   * entry of ours whose robot is no text, and one of an unknown class that has the robot's name in
-   * any field, since it may extend one of ours.
+   * entry of ours whose robot is no text, and one that has the robot's name in any field and is of
+   * a class that is not known here, or not as it is here, since it may extend one of ours.
    *
    * @param entries reggie's form of entries; null for none
    */
@@ -74,6 +75,27 @@ final class EntryClaims {
       }
     }
     return false;
+  }
+
+  /**
+   * Whether a change could have an entry name a robot. Reggie puts the fields of a change into each
+   * entry that matches, and takes the client's word for the class of both.
+   *
+   * @param changes reggie's form of what is to be changed; null for nothing
+   */
+  boolean claimByChange(Object @Nullable [] changes, String robot) {
+    if (changes != null) {
+      for (Object each : changes) {
+        if (each != null && (names(each, robot) || hasInPlace(values(each), robot))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean hasInPlace(@Nullable Object[] values, String robot) {
+    return ROBOT.values().stream().anyMatch(at -> at < values.length && robot.equals(values[at]));
   }
 
   private boolean names(Object entry, String robot) {
@@ -108,33 +130,25 @@ final class EntryClaims {
   }
 
   private @Nullable Object[] values(Object entry) {
-    @Nullable Object values = get(fields, entry);
+    @Nullable Object values = ReggieFields.value(fields, entry);
     return values instanceof Object[] array ? array : new Object[0];
   }
 
   /**
-   * The class of an entry. The one that is known here counts: which superclasses a client sends
-   * proves nothing.
-   *
-   * @return null if there is no such class here
+   * The class of an entry, if it is known here and the client's is the same. Which superclasses a
+   * client sends proves nothing: reggie finds an entry by them, whatever the name of its class.
    */
   private @Nullable Class<?> type(Object entry) {
-    @Nullable Object described = get(entryClass, entry);
-    if (described == null || !(get(name, described) instanceof String text)) {
+    @Nullable Object described = ReggieFields.value(entryClass, entry);
+    @Nullable String name = described == null ? null : descriptors.name(described);
+    if (described == null || name == null) {
       return null;
     }
     try {
-      return Class.forName(text, false, EntryClaims.class.getClassLoader());
+      Class<?> type = Class.forName(name, false, EntryClaims.class.getClassLoader());
+      return descriptors.describes(described, type) ? type : null;
     } catch (ClassNotFoundException | LinkageError e) { // of somebody else's
       return null;
-    }
-  }
-
-  private static @Nullable Object get(Field field, Object of) {
-    try {
-      return field.get(of);
-    } catch (IllegalAccessException e) {
-      throw new AssertionError(e); // it was made accessible
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.river.registrar;
 
 import java.lang.reflect.Field;
+import org.jspecify.annotations.Nullable;
 
 /** Fields of reggie 2.2.2, which offers no other way to what it holds. */
 public final class ReggieFields {
@@ -31,5 +32,23 @@ public final class ReggieFields {
     Field field = type.getDeclaredField(name);
     field.setAccessible(true);
     return field;
+  }
+
+  /** What a field that {@link #of} gave holds. */
+  static @Nullable Object value(Field field, Object of) {
+    try {
+      return field.get(of);
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    }
+  }
+
+  /** The same of a field that holds a whole number. */
+  static long number(Field field, Object of) {
+    try {
+      return field.getLong(of);
+    } catch (IllegalAccessException e) {
+      throw new AssertionError(e); // it was made accessible
+    }
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.river.registrar;
 
 import com.sun.jini.thread.ReadersWriter;
+import java.lang.reflect.Array;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -28,6 +29,10 @@ final class ReggieState implements RegistrationRules.Contents {
   private final ReadersWriter lock;
   private final Map<?, ?> services; // by ServiceID
   private final Map<?, ?> listeners; // by Long
+  private final Map<?, ?> attributes; // arrays of tables by descriptors of entry classes
+  private final List<?> entryClasses; // descriptors
+  private final Object reggie;
+  private final Field objectType;
   private final Field serviceEnd; // milliseconds of the computer's clock
   private final Field listenerEnd;
   private final Field item; // of a registered service; the following are the item's
@@ -40,6 +45,7 @@ final class ReggieState implements RegistrationRules.Contents {
    * @throws ReflectiveOperationException if it is no reggie that is known here
    */
   ReggieState(Object reggie) throws ReflectiveOperationException {
+    this.reggie = reggie;
     Class<?> type = ReggieFields.owner(reggie);
     ClassLoader loader = type.getClassLoader();
     Class<?> service = Class.forName(type.getName() + "$SvcReg", false, loader);
@@ -48,6 +54,9 @@ final class ReggieState implements RegistrationRules.Contents {
     lock = (ReadersWriter) ReggieFields.of(type, "concurrentObj").get(reggie);
     services = (Map<?, ?>) ReggieFields.of(type, "serviceByID").get(reggie);
     listeners = (Map<?, ?>) ReggieFields.of(type, "eventByID").get(reggie);
+    attributes = (Map<?, ?>) ReggieFields.of(type, "serviceByAttr").get(reggie);
+    entryClasses = (List<?>) ReggieFields.of(type, "entryClasses").get(reggie);
+    objectType = ReggieFields.of(type, "objectServiceType");
     serviceEnd = ReggieFields.of(service, "leaseExpiration");
     listenerEnd = ReggieFields.of(listener, "leaseExpiration");
     item = ReggieFields.of(service, "item");
@@ -103,6 +112,54 @@ final class ReggieState implements RegistrationRules.Contents {
       lock.readUnlock();
     }
     return all;
+  }
+
+  /** The item of a service in reggie's form; null if it holds none. */
+  @Nullable Object item(ServiceID service) {
+    lock.readLock();
+    try {
+      @Nullable Object registration = services.get(service);
+      return registration == null ? null : ReggieFields.value(item, registration);
+    } finally {
+      lock.readUnlock();
+    }
+  }
+
+  /**
+   * The descriptor that reggie has for an entry class.
+   *
+   * @param descriptor a client's; reggie's has the same hash
+   * @return null if no entry of the class is registered
+   */
+  @Nullable Object entryClass(Object descriptor) {
+    lock.readLock();
+    try {
+      int at = entryClasses.indexOf(descriptor);
+      return at < 0 ? null : entryClasses.get(at);
+    } finally {
+      lock.readUnlock();
+    }
+  }
+
+  /**
+   * How many fields reggie's table for an entry class has.
+   *
+   * @param descriptor a client's; reggie's has the same hash
+   * @return -1 if there is no table
+   */
+  int attributeWidth(Object descriptor) {
+    lock.readLock();
+    try {
+      @Nullable Object tables = attributes.get(descriptor);
+      return tables == null ? -1 : Array.getLength(tables);
+    } finally {
+      lock.readUnlock();
+    }
+  }
+
+  /** Whether a descriptor of a type has the hash of {@link Object}. */
+  boolean isObjectType(Object descriptor) {
+    return descriptor.equals(ReggieFields.value(objectType, reggie));
   }
 
   /** The identifiers of all listeners that it holds. */

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A dispatcher in front of reggie that has {@link RegistrationRules} applied to every registration
- * before reggie sees it.
+ * before reggie sees it, and {@link ReggieArguments} to every call.
  *
  * <p>Where reggie was started from its snapshot, the origin of a registration is not known any
  * more. One whose entries name the robot counts as the robot's own; another one as made by the host
@@ -39,11 +39,13 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
 
   private static final String REGISTRAR = "com.sun.jini.reggie.Registrar";
+  private static final String CHANGE = "modifyAttributes";
 
   private final RegistrationPolicy policy;
   private final OwnAddresses own;
   private final ReggieState state;
   private final EntryClaims claims;
+  private final ReggieArguments arguments;
   private final RegistrationRules rules; // guarded by this
   private boolean restored; // guarded by this
   private long logged = System.nanoTime() - LOG_AGAIN_NANOS; // guarded by this
@@ -70,7 +72,10 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     try {
       this.own = OwnAddresses.exportedAt(host);
       this.state = new ReggieState(reggie);
-      this.claims = new EntryClaims(ReggieFields.owner(reggie).getClassLoader());
+      @Nullable ClassLoader its = ReggieFields.owner(reggie).getClassLoader();
+      EntryDescriptors descriptors = new EntryDescriptors(its);
+      this.claims = new EntryClaims(its, descriptors);
+      this.arguments = new ReggieArguments(its, state, descriptors);
     } catch (UnknownHostException e) {
       throw new ExportException(
           "host " + host + " is not known; export at an address of this machine", e);
@@ -88,6 +93,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
    * {@inheritDoc}
    *
    * @throws RegistrationRefusedException if the rules refuse it
+   * @throws IllegalArgumentException if the arguments are not such as River's own client sends
    */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
@@ -96,13 +102,11 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     if (!method.getDeclaringClass().getName().equals(REGISTRAR)) {
       return super.invoke(impl, method, args, context);
     }
+    refusing(() -> arguments.check(method.getName(), args));
     return switch (method.getName()) {
       case "register" -> register(impl, method, args, context);
       case "notify" -> listen(impl, method, args, context);
-      case "addAttributes", "modifyAttributes", "setAttributes" -> {
-        checkEntries(source(context), (Object[]) args[args.length - 1]);
-        yield super.invoke(impl, method, args, context);
-      }
+      case CHANGE, "addAttributes", "setAttributes" -> change(impl, method, args, context);
       default -> super.invoke(impl, method, args, context);
     };
   }
@@ -113,14 +117,13 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     restore();
     Source from = source(context);
     Object item = args[0];
-    if (item == null) { // which reggie refuses
-      return super.invoke(impl, method, args, context);
-    }
+    refusing(() -> arguments.check(method.getName(), args)); // others may have registered since
     boolean namesRobot = namesRobot(state.entries(item));
     @Nullable ServiceID id = state.idOf(item);
-    refusing(() -> rules.checkService(from, id, namesRobot));
+    long bytes = size(from, item);
+    refusing(() -> rules.checkService(from, id, namesRobot, bytes));
     Object registration = super.invoke(impl, method, args, context);
-    rules.registered(from, ((ServiceRegistration) registration).getServiceID(), namesRobot);
+    rules.registered(from, ((ServiceRegistration) registration).getServiceID(), namesRobot, bytes);
     return registration;
   }
 
@@ -129,28 +132,53 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
       throws Throwable {
     restore();
     Source from = source(context);
-    refusing(() -> rules.checkListener(from));
+    long bytes = size(from, args); // template, listener and what is handed back
+    refusing(() -> rules.checkListener(from, bytes));
     Object registration = super.invoke(impl, method, args, context);
-    rules.listening(from, ((EventRegistration) registration).getID());
+    rules.listening(from, ((EventRegistration) registration).getID(), bytes);
     return registration;
   }
 
   /** A holder of its lease changes a registration: it could claim only now to be the robot's. */
-  private synchronized void checkEntries(Source from, Object @Nullable [] entries) {
-    boolean namesRobot = namesRobot(entries);
+  @SuppressWarnings("rawtypes") // as River declares it
+  private synchronized Object change(Remote impl, Method method, Object[] args, Collection context)
+      throws Throwable {
+    restore();
+    Source from = source(context);
+    refusing(() -> arguments.check(method.getName(), args)); // others may have registered since
+    Object @Nullable [] entries = (Object[]) args[args.length - 1];
+    boolean namesRobot =
+        method.getName().equals(CHANGE) ? changesToRobot(entries) : namesRobot(entries);
     refusing(() -> rules.checkEntries(from, namesRobot));
+    if (!(args[0] instanceof ServiceID id)) { // which reggie refuses
+      return super.invoke(impl, method, args, context);
+    }
+    long bytes = size(from, state.item(id), entries); // at most, since some may be replaced
+    refusing(() -> rules.checkGrowth(from, id, bytes));
+    Object result = super.invoke(impl, method, args, context);
+    rules.grown(id, size(from, state.item(id)));
+    return result;
+  }
+
+  /** What the robot itself registers is not measured. */
+  private static long size(Source from, @Nullable Object... registered) {
+    return from.own() ? 0 : WrittenSize.of(registered);
   }
 
   private void refusing(Runnable check) {
     try {
       check.run();
-    } catch (RegistrationRefusedException e) {
-      long now = System.nanoTime();
-      if (now - logged >= LOG_AGAIN_NANOS) {
-        logged = now;
-        LOG.log(Level.WARNING, e.getMessage());
-      }
+    } catch (RegistrationRefusedException | IllegalArgumentException e) {
+      log(e);
       throw e;
+    }
+  }
+
+  private synchronized void log(RuntimeException refusal) {
+    long now = System.nanoTime();
+    if (now - logged >= LOG_AGAIN_NANOS) {
+      logged = now;
+      LOG.log(Level.WARNING, refusal.getMessage());
     }
   }
 
@@ -163,17 +191,23 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     for (ReggieState.Listed each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed =
-          namesRobot ? new Source(null, true) : source(Caller.at(claims.host(entries)));
-      rules.registered(presumed, each.id(), namesRobot);
+      Source presumed = // the host is the registrant's own claim, so never the robot's
+          namesRobot
+              ? new Source(null, true)
+              : new Source(Caller.at(claims.host(entries)).address(), false);
+      rules.registered(presumed, each.id(), namesRobot, size(presumed, each.item()));
     }
     for (long each : state.listeners()) {
-      rules.listening(new Source(null, false), each);
+      rules.listening(new Source(null, false), each, 0);
     }
   }
 
   private boolean namesRobot(Object @Nullable [] entries) {
     return !policy.robot().isEmpty() && claims.claim(entries, policy.robot());
+  }
+
+  private boolean changesToRobot(Object @Nullable [] entries) {
+    return !policy.robot().isEmpty() && claims.claimByChange(entries, policy.robot());
   }
 
   private Source source(Collection<?> context) {

@@ -4,8 +4,10 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceID;
 import org.dfra.directory.RegistrationRefusedException;
 import org.jspecify.annotations.Nullable;
@@ -19,7 +21,8 @@ import org.jspecify.annotations.Nullable;
  *   <li>The robot's service IDs and the robot's name are taken from its own computers only.
  *   <li>Other computers may have {@value #SERVICES_PER_ADDRESS} services and {@value
  *       #LISTENERS_PER_ADDRESS} listeners for each address, and {@value #FOREIGN_SERVICES} services
- *       and {@value #FOREIGN_LISTENERS} listeners in all.
+ *       and {@value #FOREIGN_LISTENERS} listeners in all. What each of them may take in memory is
+ *       bounded, too, and so is what they take together.
  * </ul>
  *
  * <p>Not thread-safe: the caller holds a lock from the check until the registration is noted, so
@@ -38,6 +41,12 @@ final class RegistrationRules {
 
   /** How many listeners all other computers together may register. */
   static final int FOREIGN_LISTENERS = 1024;
+
+  /** Bytes of one service; a module of DFRA has about 5 kB. */
+  static final long SERVICE_BYTES = 64 << 10;
+
+  /** Bytes of one listener with its template. */
+  static final long LISTENER_BYTES = 64 << 10;
 
   /** How many service IDs of the robot's modules are kept beyond their leases. */
   static final int RESERVED = 1024;
@@ -69,10 +78,18 @@ final class RegistrationRules {
     this.contents = contents;
     this.services =
         new Registrations<>(
-            "services", SERVICES_PER_ADDRESS, FOREIGN_SERVICES, contents::liveServices);
+            "services",
+            SERVICES_PER_ADDRESS,
+            FOREIGN_SERVICES,
+            SERVICE_BYTES,
+            contents::liveServices);
     this.listeners =
         new Registrations<>(
-            "listeners", LISTENERS_PER_ADDRESS, FOREIGN_LISTENERS, contents::liveListeners);
+            "listeners",
+            LISTENERS_PER_ADDRESS,
+            FOREIGN_LISTENERS,
+            LISTENER_BYTES,
+            contents::liveListeners);
   }
 
   /**
@@ -81,9 +98,10 @@ final class RegistrationRules {
    * @param from where it comes from
    * @param id the service ID that it takes; null for a new one
    * @param namesRobot whether its entries name the robot as the one that it belongs to
+   * @param bytes what it takes
    * @throws RegistrationRefusedException if it is refused
    */
-  void checkService(Source from, @Nullable ServiceID id, boolean namesRobot) {
+  void checkService(Source from, @Nullable ServiceID id, boolean namesRobot, long bytes) {
     if (from.own()) {
       return;
     }
@@ -91,7 +109,19 @@ final class RegistrationRules {
     if (id != null) {
       checkId(from, id);
     }
-    services.checkBounds(from, id);
+    services.checkBounds(from, id, bytes);
+  }
+
+  /**
+   * Checks how large a service becomes by a change.
+   *
+   * @param bytes what it takes then, at most
+   * @throws RegistrationRefusedException if that is too much
+   */
+  void checkGrowth(Source from, ServiceID id, long bytes) {
+    if (!from.own()) {
+      services.checkBounds(from, id, bytes);
+    }
   }
 
   private void checkId(Source from, ServiceID id) {
@@ -150,11 +180,12 @@ final class RegistrationRules {
   /**
    * Checks a registration of a listener.
    *
+   * @param bytes what it takes
    * @throws RegistrationRefusedException if it is refused
    */
-  void checkListener(Source from) {
+  void checkListener(Source from, long bytes) {
     if (!from.own()) {
-      listeners.checkBounds(from, null);
+      listeners.checkBounds(from, null, bytes);
     }
   }
 
@@ -162,9 +193,10 @@ final class RegistrationRules {
    * A service is registered.
    *
    * @param ofRobot whether it is a module of the robot
+   * @param bytes what it takes
    */
-  void registered(Source from, ServiceID id, boolean ofRobot) {
-    services.put(id, from);
+  void registered(Source from, ServiceID id, boolean ofRobot, long bytes) {
+    services.put(id, from, bytes);
     if (from.own() && ofRobot) {
       boolean unused = reserved.remove(id); // the newest comes last
       reserved.add(id);
@@ -174,14 +206,19 @@ final class RegistrationRules {
     }
   }
 
-  /** A listener is registered. */
-  void listening(Source from, long event) {
-    listeners.put(event, from);
+  /** A service was changed, and takes so many bytes now. */
+  void grown(ServiceID id, long bytes) {
+    services.resize(id, bytes);
+  }
+
+  /** A listener is registered, and takes so many bytes. */
+  void listening(Source from, long event, long bytes) {
+    listeners.put(event, from, bytes);
   }
 
   /** How many services and listeners are noted, for tests. */
   int noted() {
-    return services.sources.size() + listeners.sources.size();
+    return services.noted.size() + listeners.noted.size();
   }
 
   /**
@@ -192,70 +229,103 @@ final class RegistrationRules {
 
     private static final int FEW = 64;
 
+    /** All may take this share of what so many of the largest would. */
+    private static final int SHARE = 8;
+
     private final String kind;
     private final int perAddress;
     private final int inAll;
+    private final long bytesOfOne;
     private final UnaryOperator<Set<K>> live;
-    private final Map<K, Source> sources = new LinkedHashMap<>();
+    private final Map<K, Noted> noted = new LinkedHashMap<>();
     private int next = FEW; // size at which it drops what has ended
 
-    Registrations(String kind, int perAddress, int inAll, UnaryOperator<Set<K>> live) {
+    private record Noted(Source source, long bytes) {}
+
+    Registrations(
+        String kind, int perAddress, int inAll, long bytesOfOne, UnaryOperator<Set<K>> live) {
       this.kind = kind;
       this.perAddress = perAddress;
       this.inAll = inAll;
+      this.bytesOfOne = bytesOfOne;
       this.live = live;
     }
 
     @Nullable Source source(K key) {
-      return sources.get(key);
+      @Nullable Noted its = noted.get(key);
+      return its == null ? null : its.source();
     }
 
-    void put(K key, Source from) {
-      sources.put(key, from);
-      if (sources.size() >= next) {
+    void put(K key, Source from, long bytes) {
+      noted.put(key, new Noted(from, bytes));
+      if (noted.size() >= next) {
         dropEnded();
+      }
+    }
+
+    void resize(K key, long bytes) {
+      @Nullable Noted its = noted.get(key);
+      if (its != null) {
+        noted.put(key, new Noted(its.source(), bytes));
       }
     }
 
     private void dropEnded() {
-      Set<K> stay = live.apply(Collections.unmodifiableSet(sources.keySet()));
-      boolean unused = sources.keySet().retainAll(stay);
-      next = Math.max(FEW, 2 * sources.size());
+      Set<K> stay = live.apply(Collections.unmodifiableSet(noted.keySet()));
+      boolean unused = noted.keySet().retainAll(stay);
+      next = Math.max(FEW, 2 * noted.size());
     }
 
-    /** One that replaces another of the same source needs no more room. */
-    void checkBounds(Source from, @Nullable K replaced) {
-      if (replaced != null && from.equals(sources.get(replaced))) {
-        return;
+    /** One that replaces another needs no more room than it takes beyond that. */
+    void checkBounds(Source from, @Nullable K replaced, long bytes) {
+      if (bytes > bytesOfOne) {
+        throw new RegistrationRefusedException(
+            refused(from) + bytes + " bytes > " + bytesOfOne + " allowed; register less");
       }
-      if (fault(from) != null) {
+      if (fault(from, replaced, bytes) != null) {
         dropEnded();
-        @Nullable String fault = fault(from);
+        @Nullable String fault = fault(from, replaced, bytes);
         if (fault != null) {
           throw new RegistrationRefusedException(fault);
         }
       }
     }
 
-    private @Nullable String fault(Source from) {
+    private String refused(Source from) {
+      return "one more of the " + kind + " of " + from + " is refused: ";
+    }
+
+    private @Nullable String fault(Source from, @Nullable K replaced, long bytes) {
       long foreign = 0;
       long same = 0;
-      for (Source each : sources.values()) {
-        if (!each.own()) {
+      long foreignBytes = bytes;
+      long sameBytes = bytes;
+      for (Map.Entry<K, Noted> each : noted.entrySet()) {
+        Source source = each.getValue().source();
+        if (!source.own() && !each.getKey().equals(replaced)) {
           foreign++;
-          if (each.equals(from)) {
+          foreignBytes += each.getValue().bytes();
+          if (source.equals(from)) {
             same++;
+            sameBytes += each.getValue().bytes();
           }
         }
       }
-      String refused = "one more of the " + kind + " of " + from + " is refused: ";
-      String remedy = "; end some, or wait until their leases end";
-      if (same >= perAddress) {
-        return refused + same + " from that address >= " + perAddress + " allowed" + remedy;
-      }
-      return foreign >= inAll
-          ? refused + foreign + " from all other computers >= " + inAll + " allowed" + remedy
-          : null;
+      long most = perAddress * bytesOfOne / SHARE;
+      long mostInAll = inAll * bytesOfOne / SHARE;
+      return Stream.of(
+              beyond(same, perAddress - 1L, " from that address >= " + perAddress),
+              beyond(foreign, inAll - 1L, " from all other computers >= " + inAll),
+              beyond(sameBytes, most, " bytes from that address > " + most),
+              beyond(foreignBytes, mostInAll, " bytes from all other computers > " + mostInAll))
+          .flatMap(Optional::stream)
+          .findFirst()
+          .map(what -> refused(from) + what + " allowed; end some, or wait until their leases end")
+          .orElse(null);
+    }
+
+    private static Optional<String> beyond(long count, long most, String what) {
+      return count > most ? Optional.of(count + what) : Optional.empty();
     }
   }
 }

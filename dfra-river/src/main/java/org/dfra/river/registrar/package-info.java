@@ -4,9 +4,10 @@
  * <pre>
  *   register, notify, addAttributes, ... --&gt; RegistrarDispatcher --&gt; reggie
  *                                                |
- *          EntryClaims: robots that entries name |  ReggieState: what reggie holds now
+ *     ReggieArguments: what no client would send |  ReggieState: what reggie holds now
+ *          EntryClaims: robots that entries name |  EntryDescriptors: classes of entries
  *                                                v
- *                                        RegistrationRules: service ID --&gt; computer
+ *                                        RegistrationRules: service ID --&gt; computer, bytes
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the registrar's exporter

@@ -19,6 +19,9 @@ class RegistrationRulesTest {
   private static final Source STRANGER = foreign(66);
   private static final ServiceID DRIVE = new ServiceID(1, 1);
 
+  /** Bytes. */
+  private static final long USUAL = 5_000;
+
   private final Set<ServiceID> services = new HashSet<>();
   private final Set<Long> listeners = new HashSet<>();
   private final RegistrationRules rules =
@@ -52,9 +55,13 @@ class RegistrationRulesTest {
   }
 
   private void register(Source from, ServiceID id, boolean namesRobot) {
-    rules.checkService(from, id, namesRobot);
+    register(from, id, namesRobot, USUAL);
+  }
+
+  private void register(Source from, ServiceID id, boolean namesRobot, long bytes) {
+    rules.checkService(from, id, namesRobot, bytes);
     boolean unused = services.add(id);
-    rules.registered(from, id, namesRobot);
+    rules.registered(from, id, namesRobot, bytes);
   }
 
   private void end(ServiceID id) {
@@ -131,12 +138,12 @@ class RegistrationRulesTest {
       register(STRANGER, new ServiceID(4, i), false);
     }
     assertRefused(() -> register(STRANGER, DRIVE, false), "services", "10.0.0.66", "256 allowed");
-    assertRefused(() -> rules.checkService(STRANGER, null, false), "256 allowed");
+    assertRefused(() -> rules.checkService(STRANGER, null, false, USUAL), "256 allowed");
     register(STRANGER, new ServiceID(4, 7), false); // in place of its own
     register(ALLY, DRIVE, false);
     end(new ServiceID(4, 0));
     register(STRANGER, new ServiceID(4, 1000), false);
-    assertRefused(() -> rules.checkService(STRANGER, null, false), "256 allowed");
+    assertRefused(() -> rules.checkService(STRANGER, null, false, USUAL), "256 allowed");
   }
 
   @Test
@@ -155,23 +162,57 @@ class RegistrationRulesTest {
     for (long i = 0; i < RegistrationRules.LISTENERS_PER_ADDRESS; i++) {
       listen(STRANGER, i);
     }
-    assertRefused(() -> rules.checkListener(STRANGER), "listeners", "10.0.0.66", "128 allowed");
+    assertRefused(
+        () -> rules.checkListener(STRANGER, USUAL), "listeners", "10.0.0.66", "128 allowed");
     listen(ALLY, 1000);
     listen(OWN, 1001);
     assertThat(listeners.remove(5L)).isTrue();
     listen(STRANGER, 1002);
-    assertRefused(() -> rules.checkListener(STRANGER), "128 allowed");
+    assertRefused(() -> rules.checkListener(STRANGER, USUAL), "128 allowed");
     for (int i = 0; listeners.size() < RegistrationRules.FOREIGN_LISTENERS + 1; i++) {
       listen(foreign(2000 + i / 100), 2000 + i);
     }
-    assertRefused(() -> rules.checkListener(foreign(4000)), "1024 allowed");
-    rules.checkListener(OWN);
+    assertRefused(() -> rules.checkListener(foreign(4000), USUAL), "1024 allowed");
+    rules.checkListener(OWN, USUAL);
+  }
+
+  @Test
+  void oneServiceIsNoLargerThanItMayBe() {
+    long most = RegistrationRules.SERVICE_BYTES;
+    register(STRANGER, DRIVE, false, most);
+    assertRefused(
+        () -> register(STRANGER, DRIVE, false, most + 1), "services", "65537 bytes > 65536");
+    rules.checkGrowth(STRANGER, DRIVE, most);
+    assertRefused(() -> rules.checkGrowth(STRANGER, DRIVE, most + 1), "65537 bytes > 65536");
+    register(OWN, DRIVE, true, most + 1);
+    rules.checkGrowth(OWN, DRIVE, most + 1);
+    assertRefused(
+        () -> rules.checkListener(STRANGER, RegistrationRules.LISTENER_BYTES + 1), "listeners");
+  }
+
+  @Test
+  void largeServicesAreFewerAndOthersStillMay() {
+    int many = RegistrationRules.SERVICES_PER_ADDRESS / 8;
+    for (int i = 0; i < many; i++) {
+      register(STRANGER, new ServiceID(8, i), false, RegistrationRules.SERVICE_BYTES);
+    }
+    assertRefused(() -> register(STRANGER, DRIVE, false), "10.0.0.66", "bytes from that address");
+    register(STRANGER, new ServiceID(8, 1), false); // in place of its own
+    rules.grown(new ServiceID(8, 2), USUAL);
+    register(STRANGER, DRIVE, false);
+    for (int i = 0; i <= 7 * many; i++) {
+      Source other = foreign(3000 + i / many);
+      register(other, new ServiceID(9, i), false, RegistrationRules.SERVICE_BYTES);
+    }
+    assertRefused(
+        () -> register(ALLY, new ServiceID(1, 2), false, RegistrationRules.SERVICE_BYTES),
+        "bytes from all other computers");
   }
 
   private void listen(Source from, long event) {
-    rules.checkListener(from);
+    rules.checkListener(from, USUAL);
     listeners.add(event);
-    rules.listening(from, event);
+    rules.listening(from, event, USUAL);
   }
 
   @Test

@@ -1,0 +1,69 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketException;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a lookup service is asked for its proxy. Reggie reads each connection on one of its 50
+ * threads, which report its events, too; so at most {@value #CONNECTIONS} are open at a time, and
+ * {@value #PER_ADDRESS} of one address. Beyond that a new one takes the place of the oldest, since
+ * an honest one is over in milliseconds. Each {@link DiscoverySocket} ends by itself.
+ */
+final class DiscoveryServerSocket extends ServerSocket {
+
+  static final int CONNECTIONS = 32;
+  static final int PER_ADDRESS = 16;
+
+  /** Guarded by itself; the oldest comes first. */
+  private final Set<DiscoverySocket> open = new LinkedHashSet<>();
+
+  /** Listens from now on, as {@link ServerSocket} has it. */
+  DiscoveryServerSocket(int port, int backlog, @Nullable InetAddress address) throws IOException {
+    super(port, backlog, address);
+  }
+
+  @Override
+  public Socket accept() throws IOException {
+    if (isClosed()) {
+      throw new SocketException("this socket for discovery is closed");
+    }
+    DiscoverySocket socket = new DiscoverySocket(this::left);
+    implAccept(socket);
+    socket.begin();
+    add(socket).ifPresent(DiscoverySocket::abort);
+    return socket;
+  }
+
+  /** What has to go for it. */
+  private Optional<DiscoverySocket> add(DiscoverySocket socket) {
+    synchronized (open) {
+      Optional<DiscoverySocket> replaced = Optional.empty();
+      if (open.stream().filter(each -> isSame(each, socket)).count() >= PER_ADDRESS) {
+        replaced = open.stream().filter(each -> isSame(each, socket)).findFirst();
+      } else if (open.size() >= CONNECTIONS) {
+        replaced = open.stream().findFirst();
+      }
+      replaced.ifPresent(open::remove);
+      open.add(socket);
+      return replaced;
+    }
+  }
+
+  private static boolean isSame(Socket one, Socket other) {
+    @Nullable InetAddress address = one.getInetAddress();
+    return address != null && address.equals(other.getInetAddress());
+  }
+
+  private void left(DiscoverySocket socket) {
+    synchronized (open) {
+      boolean unused = open.remove(socket);
+    }
+  }
+}
