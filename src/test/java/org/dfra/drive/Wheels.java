@@ -69,7 +69,7 @@ public final class Wheels implements AutoCloseable {
   }
 
   /** Since when they stand; null while they turn. */
-  @Nullable Instant standingSince() {
+  public @Nullable Instant standingSince() {
     return body.standingSince(CLOCK.instant());
   }
 

@@ -27,8 +27,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other,
  * and thousands that are silent, which anybody may register, hold up none for long ({@link
- * FairCalls}).
- * Where a call fails or is not answered in time, it is made once more.
+ * FairCalls}). Where a call fails or is not answered in time, it is made once more.
  *
  * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
  * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what

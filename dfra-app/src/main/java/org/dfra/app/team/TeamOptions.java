@@ -168,8 +168,7 @@ public final class TeamOptions {
         .registrar()
         .filter(registrar -> registrar.port() != 0)
         .ifPresent(
-            registrar ->
-                all.add("jini://" + resolve.apply(robot.host()) + ":" + registrar.port()));
+            registrar -> all.add("jini://" + resolve.apply(robot.host()) + ":" + registrar.port()));
   }
 
   /** The address at which others call this computer back, modules as well as lookup services. */

@@ -94,8 +94,7 @@ class PhoenixAddressesTest {
   void furtherOnesOfThisComputerAreOrderedWhereTheyOrTheirLookupServicesAreNamed()
       throws Exception {
     Files.createDirectory(state.resolve("journal"));
-    Files.writeString(state.resolve("phoenix.address"), "127.0.0.9:4711
-");
+    Files.writeString(state.resolve("phoenix.address"), "127.0.0.9:4711\n");
     String own = HostAddress.resolve(HostAddress.AUTO);
     assumeFalse(HostAddress.isLoopback(own), "this computer has no other address");
     PhoenixAddresses addresses = addresses(own + ":4160", "127.0.0.9:4712", own + ":4713");

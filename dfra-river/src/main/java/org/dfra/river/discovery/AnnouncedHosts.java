@@ -153,11 +153,15 @@ final class AnnouncedHosts {
     return candidate.announcedAt;
   }
 
-  /** The place to ask now, if there is one; then {@link #succeeded} or {@link #failed} follows. */
-  synchronized Optional<Place> next() {
+  /**
+   * The place to ask now, if there is one; then {@link #succeeded} or {@link #failed} follows.
+   *
+   * @param others probes that ask somebody else now, who is unknown too
+   */
+  synchronized Optional<Place> next(int others) {
     long now = now();
-    int unknown = 0;
-    int all = 0;
+    int unknown = others;
+    int all = others;
     Set<String> asked = new HashSet<>();
     for (Candidate each : candidates.values()) {
       if (each.isAsked) {
@@ -181,6 +185,13 @@ final class AnnouncedHosts {
                     .thenComparingLong(AnnouncedHosts::age));
     next.ifPresent(each -> each.isAsked = true);
     return next.map(each -> each.place);
+  }
+
+  /** Whether one more probe of somebody unknown leaves one for places that answered before. */
+  synchronized boolean isRoomForUnknown(int others) {
+    long unknown =
+        candidates.values().stream().filter(each -> each.isAsked && !each.isKnown).count();
+    return unknown + others < PROBES - 1;
   }
 
   private static boolean isWaiting(Candidate candidate) {

@@ -32,9 +32,9 @@ import org.slf4j.LoggerFactory;
  * copy: those that claim one service ID are all found, see {@link LocatedRegistrar}.
  *
  * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
- * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; as
- * many {@code dfra-discovery-check}, which ask those that were found for their groups, where these
- * may have changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
+ * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; as many {@code
+ * dfra-discovery-check}, which ask those that were found for their groups, where these may have
+ * changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
  * ResponseListener}.
  */
 public final class MulticastSearch implements AutoCloseable {
@@ -222,8 +222,9 @@ public final class MulticastSearch implements AutoCloseable {
   private synchronized void dispatch() {
     boolean isPossible = true;
     while (isPossible && !closed && probing < AnnouncedHosts.PROBES) {
-      Optional<Socket> answer = responding >= RESPONSES ? Optional.empty() : requests.next();
-      Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next();
+      boolean isAnswerRead = responding < RESPONSES && hosts.isRoomForUnknown(responding);
+      Optional<Socket> answer = isAnswerRead ? requests.next() : Optional.empty();
+      Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next(responding);
       if (answer.isPresent()) {
         isPossible = begin(() -> probe(answer.get()), 1);
         if (!isPossible) {

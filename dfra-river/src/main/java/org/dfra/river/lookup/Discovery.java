@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds lookup services: by group over multicast, and at locators by unicast. One that is found
- * both ways is one. Two that claim the same service ID are two: each is a {@link
- * LocatedRegistrar}. No multicast socket is opened while there are no groups.
+ * both ways is one. Two that claim the same service ID are two: each is a {@link LocatedRegistrar}.
+ * No multicast socket is opened while there are no groups.
  */
 public final class Discovery
     implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {

@@ -40,7 +40,7 @@ public final class EffectorSearch implements AutoCloseable {
     /**
      * A lookup service was found.
      *
-     * @param registrar its service ID
+     * @param registrar as in {@link ListedEffector#registrar}
      * @param host the computer where it says that it runs: a name or an address, not verified
      */
     void registrarAt(UUID registrar, String host);

@@ -128,7 +128,7 @@ final class RegistrarReading implements AutoCloseable {
   private void locate() throws RemoteException {
     @Nullable LookupLocator locator = registrar.getLocator();
     if (locator != null) {
-      listener.registrarAt(Sightings.uuid(registrar.getServiceID()), locator.getHost());
+      listener.registrarAt(key, locator.getHost());
     }
   }
 
@@ -238,10 +238,7 @@ final class RegistrarReading implements AutoCloseable {
   }
 
   private String sentence(String fault) {
-    return "not every effector of lookup service "
-        + registrar
-        + " was called: "
-        + fault;
+    return "not every effector of lookup service " + registrar + " was called: " + fault;
   }
 
   /** Ends it, without waiting for calls that are under way. */

@@ -33,7 +33,7 @@ class AnnouncedHostsTest {
 
   private List<Place> allNext() {
     List<Place> asked = new ArrayList<>();
-    for (Optional<Place> next = hosts.next(); next.isPresent(); next = hosts.next()) {
+    for (Optional<Place> next = hosts.next(0); next.isPresent(); next = hosts.next(0)) {
       asked.add(next.get());
     }
     return asked;
@@ -42,7 +42,7 @@ class AnnouncedHostsTest {
   /** The honest lookup service has answered, and is held. */
   private LocatedRegistrar know() throws IOException {
     hosts.announced(HONEST, ID, true);
-    assertThat(hosts.next()).contains(HONEST);
+    assertThat(hosts.next(0)).contains(HONEST);
     LocatedRegistrar registrar = REGISTRAR.at(HONEST.host(), HONEST.port());
     hosts.succeeded(HONEST, registrar);
     return registrar;
@@ -66,7 +66,7 @@ class AnnouncedHostsTest {
     hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
     assertThat(allNext()).containsExactly(HONEST);
-    assertThat(hosts.next()).isEmpty();
+    assertThat(hosts.next(0)).isEmpty();
   }
 
   @Test
@@ -85,7 +85,7 @@ class AnnouncedHostsTest {
     for (int i = 0; i < 1000; i++) {
       Place unused = rogue(false);
     }
-    assertThat(hosts.next()).contains(HONEST);
+    assertThat(hosts.next(0)).contains(HONEST);
   }
 
   @Test
@@ -124,10 +124,10 @@ class AnnouncedHostsTest {
     LocatedRegistrar unused = know();
     Place rogue = rogue(true);
     for (int failures = 0; failures < AnnouncedHosts.FAILURES; failures++) {
-      assertThat(hosts.next()).as("after %d failures", failures).contains(rogue);
+      assertThat(hosts.next(0)).as("after %d failures", failures).contains(rogue);
       hosts.failed(rogue);
       hosts.announced(HONEST, ID, true); // whatever else is announced changes nothing
-      assertThat(hosts.next()).isEmpty();
+      assertThat(hosts.next(0)).isEmpty();
       if (failures < AnnouncedHosts.FAILURES - 1) {
         Duration wait = AnnouncedHosts.SHORTEST_WAIT.multipliedBy(1L << failures);
         assertThat(hosts.untilNext()).contains(wait.toNanos());
@@ -141,10 +141,10 @@ class AnnouncedHostsTest {
   @Test
   void anAnnouncementDoesNotShortenTheWaitOfAPlaceThatNeverAnswered() {
     Place rogue = rogue(true);
-    assertThat(hosts.next()).contains(rogue);
+    assertThat(hosts.next(0)).contains(rogue);
     hosts.failed(rogue);
     hosts.announced(rogue, new ServiceID(3, 3), true);
-    assertThat(hosts.next()).isEmpty();
+    assertThat(hosts.next(0)).isEmpty();
   }
 
   @Test
@@ -153,18 +153,18 @@ class AnnouncedHostsTest {
     hosts.lost(registrar);
     for (int i = 0; i < 8; i++) {
       time.pass(AnnouncedHosts.LONGEST_WAIT);
-      assertThat(hosts.next()).contains(HONEST);
+      assertThat(hosts.next(0)).contains(HONEST);
       hosts.failed(HONEST);
     }
     hosts.announced(HONEST, ID, true);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
-    assertThat(hosts.next()).contains(HONEST);
+    assertThat(hosts.next(0)).contains(HONEST);
   }
 
   @Test
   void aCopyOfAServiceIdHidesNoOtherPlace() throws Exception {
     Place rogue = rogue(true);
-    assertThat(hosts.next()).contains(rogue);
+    assertThat(hosts.next(0)).contains(rogue);
     hosts.succeeded(rogue, new FakeRegistrar(1, "a copy").at(rogue.host(), rogue.port()));
     hosts.announced(HONEST, ID, true);
     assertThat(allNext()).containsExactly(HONEST);
@@ -175,7 +175,7 @@ class AnnouncedHostsTest {
     LocatedRegistrar registrar = know();
     Place moved = new Place("192.0.2.2", 4160);
     hosts.announced(moved, ID, true);
-    assertThat(hosts.next()).as("nobody is there yet").contains(moved);
+    assertThat(hosts.next(0)).as("nobody is there yet").contains(moved);
     hosts.failed(moved);
     hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
@@ -187,7 +187,7 @@ class AnnouncedHostsTest {
     LocatedRegistrar registrar = know();
     Place second = new Place("192.0.2.2", 4160);
     hosts.announced(second, ID, true);
-    assertThat(hosts.next()).contains(second);
+    assertThat(hosts.next(0)).contains(second);
     hosts.succeeded(second, new FakeRegistrar(1, "a copy").at(second.host(), second.port()));
     hosts.lost(registrar);
     time.pass(AnnouncedHosts.SHORTEST_WAIT);
@@ -198,9 +198,9 @@ class AnnouncedHostsTest {
   void whatWasPostponedIsAskedLaterAndHasNotFailed() {
     Place rogue = rogue(true);
     for (int i = 0; i < 2 * AnnouncedHosts.FAILURES; i++) {
-      assertThat(hosts.next()).contains(rogue);
+      assertThat(hosts.next(0)).contains(rogue);
       hosts.postponed(rogue);
-      assertThat(hosts.next()).isEmpty();
+      assertThat(hosts.next(0)).isEmpty();
       assertThat(hosts.untilNext()).contains(AnnouncedHosts.SHORTEST_WAIT.toNanos());
       time.pass(AnnouncedHosts.SHORTEST_WAIT);
     }

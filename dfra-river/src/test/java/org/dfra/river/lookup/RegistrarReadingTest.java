@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.reflect.Proxy;
 import java.time.Instant;
 import java.util.List;
+import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -27,7 +28,7 @@ class RegistrarReadingTest {
   private final EffectorSearch.Listener listener =
       new EffectorSearch.Listener() {
         @Override
-        public void registrarAt(String host) {}
+        public void registrarAt(UUID registrar, String host) {}
 
         @Override
         public void found(ListedEffector effector) {

@@ -14,11 +14,11 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
-import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.app.demo.stage.FieldRobot;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.time.RobotTime;
 import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.ClassServer;
@@ -142,10 +142,10 @@ public final class HonestRobot implements Task {
   private static final class Unheeded implements MulticastSearch.Listener {
 
     @Override
-    public void found(ServiceRegistrar registrar) {}
+    public void found(LocatedRegistrar registrar) {}
 
     @Override
-    public void lost(ServiceRegistrar registrar) {}
+    public void lost(LocatedRegistrar registrar) {}
   }
 
   private static RobotDescription described(Simulation simulation) throws Exception {
