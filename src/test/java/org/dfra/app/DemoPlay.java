@@ -3,6 +3,8 @@ package org.dfra.app;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -50,6 +52,9 @@ abstract class DemoPlay {
   private static final int CONTEXT = 300;
 
   @TempDir Path folder;
+
+  /** How much of each log is shown after a failure. */
+  private static final int LAST_LINES = 20;
 
   /** What the last run wrote is in this folder, one for each run. */
   private Path played = Path.of("not played yet");
@@ -128,7 +133,10 @@ abstract class DemoPlay {
       arguments.addAll(options);
       outcome = processes.dfra(PATIENCE, arguments.toArray(String[]::new));
 
-      assertThat(withoutMissedBounds(run, outcome.out()) + outcome.err()).doesNotContain("FAILED");
+      String failures = withoutMissedBounds(run, outcome.out()) + outcome.err();
+      assertThat(failures)
+          .withFailMessage(() -> failures + "\nits logs end with:\n" + endsOfLogs(temp))
+          .doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
       assertStory(inOneLine(outcome.out()), story);
       assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))
@@ -155,6 +163,22 @@ abstract class DemoPlay {
       assertThat(left.toList()).as("left in the temporary folder").isEqualTo(List.of());
     }
     return outcome.out();
+  }
+
+  /** The last lines of each log that a failed demonstration leaves in its temporary folder. */
+  private static String endsOfLogs(Path temp) {
+    try (var files = Files.walk(temp)) {
+      StringBuilder ends = new StringBuilder();
+      for (Path log : files.filter(each -> each.toString().endsWith(".log")).sorted().toList()) {
+        List<String> lines = Files.readAllLines(log);
+        ends.append("-- ").append(temp.relativize(log)).append('\n');
+        lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size())
+            .forEach(line -> ends.append(line).append('\n'));
+      }
+      return ends.toString();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /**

@@ -5,11 +5,14 @@ import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.net.InetAddress;
 import java.net.MalformedURLException;
+import java.rmi.ConnectException;
+import java.rmi.ConnectIOException;
 import java.rmi.MarshalledObject;
 import java.rmi.NoSuchObjectException;
 import java.rmi.NotBoundException;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
+import java.rmi.ServerException;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.server.RMIClassLoader;
 import java.rmi.server.UnicastRemoteObject;
@@ -31,6 +34,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
   private static final String NO_MONITOR =
       "The activation system gave this group no monitor, so the group cannot report to it.";
+
+  /** How often the group is reported to a system that does not answer in time. */
+  private static final int REPORTS = 3;
+
   private static final String PORT_PROPERTY = "java.rmi.activation.port";
 
   // All four are guarded by the class's lock.
@@ -140,7 +147,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     try {
       group = construct(id, desc);
       group.incarnation = incarnation;
-      group.monitor = system.activeGroup(id, group, incarnation);
+      group.monitor = report(system, id, group, incarnation);
     } catch (RemoteException e) {
       ActivationException refusal =
           new ActivationException("The activation system cannot be told of the group", e);
@@ -154,6 +161,26 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     currentID = id;
     currentSystem = system;
     return group;
+  }
+
+  /**
+   * Reports the group to the system. An answer that is late or lost is no refusal, and the same
+   * report may be made again; where nothing listens, or the system refuses it, it is not repeated.
+   */
+  private static ActivationMonitor report(
+      ActivationSystem system, ActivationGroupID id, ActivationGroup group, long incarnation)
+      throws ActivationException, RemoteException {
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return system.activeGroup(id, group, incarnation);
+      } catch (ConnectException | ConnectIOException | NoSuchObjectException | ServerException e) {
+        throw e;
+      } catch (RemoteException e) {
+        if (attempt == REPORTS) {
+          throw e;
+        }
+      }
+    }
   }
 
   /**

@@ -168,6 +168,25 @@ class ActivationGroupTest {
     assertThat(ActivationGroup.currentGroupID()).isNull();
   }
 
+  /** As on a busy computer: the report arrived, and its answer came after the deadline. */
+  @Test
+  void reportWhoseAnswerIsLateIsMadeAgain() throws Exception {
+    daemon.lateAnswers = 2;
+    PlainGroup group = create();
+    assertThat(daemon.told).containsExactly("activeGroup 3", "activeGroup 3", "activeGroup 3");
+    assertThat(daemon.instantiator).isSameAs(group);
+    assertThat(ActivationGroup.currentGroupID()).isSameAs(id);
+  }
+
+  @Test
+  void reportIsNotMadeAgainWhereNothingListens() {
+    daemon.unreachable = new java.rmi.ConnectException("refused");
+    assertThatExceptionOfType(ActivationException.class)
+        .isThrownBy(this::create)
+        .withCause(daemon.unreachable);
+    assertThat(daemon.reports).isEqualTo(1);
+  }
+
   /** The systems of River's own tests give none. */
   @Test
   void groupIsCreatedWhereTheSystemGivesNoMonitor() throws Exception {

@@ -35,15 +35,26 @@ final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator
   RemoteException unreachable;
 
   ActivationException refusal;
+
+  /** So many answers of activeGroup come too late, though the group is taken. */
+  int lateAnswers;
+
+  /** How often activeGroup was called. */
+  int reports;
+
   ActivationMonitor monitor = this;
 
   @Override
   public ActivationMonitor activeGroup(
       ActivationGroupID id, ActivationInstantiator group, long incarnation)
       throws ActivationException, RemoteException {
+    reports++;
     failIfAsked();
     instantiator = group;
     told.add("activeGroup " + incarnation);
+    if (lateAnswers-- > 0) {
+      throw new RemoteException("no answer within the deadline");
+    }
     return monitor;
   }
 
