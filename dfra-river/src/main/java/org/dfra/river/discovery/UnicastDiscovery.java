@@ -153,6 +153,7 @@ public final class UnicastDiscovery {
       }
       groups.add(group);
     }
+    SerialFilters.check(marshalled);
     return new Answer(registrar(new MarshalledInstance(marshalled).get(false)), groups);
   }
 

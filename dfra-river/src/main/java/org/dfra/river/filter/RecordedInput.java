@@ -48,6 +48,11 @@ final class RecordedInput {
     System.arraycopy(bytes, from, into, at, length);
   }
 
+  /** The last bytes that were taken, as long as nothing more is. */
+  InputStream last(int count) {
+    return new ByteArrayInputStream(bytes, size - count, count);
+  }
+
   /** Whether the stream goes on; if so, a byte more is kept. */
   boolean takeIfAny() throws IOException {
     int value = in.read();
