@@ -79,22 +79,9 @@ record ClassForm(
    * @throws StreamCorruptedException if its class is a record here, of which an object stream reads
    *     the fields and nothing else, and the description says more
    */
-  void check() throws StreamCorruptedException {
-    if ((has(NO_RECORD) || parent != null)
-        && (isRecord(Thread.currentThread().getContextClassLoader())
-            || isRecord(ClassForm.class.getClassLoader()))) {
+  void check(LocalRecords records) throws StreamCorruptedException {
+    if ((has(NO_RECORD) || parent != null) && records.contain(name)) {
       throw new StreamCorruptedException(name + " is a record, and has more than its fields");
-    }
-  }
-
-  private boolean isRecord(@Nullable ClassLoader loader) {
-    if (name.isEmpty() || name.startsWith("java.")) {
-      return false;
-    }
-    try {
-      return Class.forName(name, false, loader).isRecord();
-    } catch (ClassNotFoundException | LinkageError e) { // of somebody else's
-      return false;
     }
   }
 

@@ -37,6 +37,7 @@ final class StreamScanner implements ObjectStreamConstants {
   private final SerialLimits limits;
   private final StreamBudget budget;
   private final HandleTable handles = new HandleTable();
+  private final LocalRecords records = new LocalRecords();
   private final int level;
   private boolean begun;
   private boolean aborting;
@@ -108,7 +109,7 @@ final class StreamScanner implements ObjectStreamConstants {
       return true;
     }
     if (tag == TC_BLOCKDATALONG) {
-      in.take(length(in.integer()));
+      in.take(RecordedInput.length(in.integer()));
       return true;
     }
     return false;
@@ -127,7 +128,7 @@ final class StreamScanner implements ObjectStreamConstants {
           case TC_NULL -> Cost.LEAF;
           case TC_REFERENCE -> handles.cost(reference());
           case TC_STRING -> string(in.unsignedShort());
-          case TC_LONGSTRING -> string(length(in.longInteger()));
+          case TC_LONGSTRING -> string(RecordedInput.length(in.longInteger()));
           case TC_OBJECT -> object();
           case TC_ARRAY -> array();
           case TC_ENUM -> constant();
@@ -331,7 +332,7 @@ final class StreamScanner implements ObjectStreamConstants {
     budget.depth(depth);
     int handle = handles.assign();
     if (tag == TC_PROXYCLASSDESC) {
-      int interfaces = length(in.integer());
+      int interfaces = RecordedInput.length(in.integer());
       for (int i = 0; i < interfaces; i++) {
         in.take(in.unsignedShort());
       }
@@ -386,15 +387,8 @@ final class StreamScanner implements ObjectStreamConstants {
     depth++;
     ClassForm form = new ClassForm(name, flags, primitives, others, form());
     depth--;
-    form.check();
+    form.check(records);
     handles.describe(handle, form);
     return form;
-  }
-
-  private static int length(long announced) throws StreamCorruptedException {
-    if (announced < 0 || announced > Integer.MAX_VALUE) {
-      throw new StreamCorruptedException("a length of " + announced);
-    }
-    return (int) announced;
   }
 }

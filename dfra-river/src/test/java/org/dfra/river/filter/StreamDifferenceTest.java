@@ -160,6 +160,19 @@ class StreamDifferenceTest implements ObjectStreamConstants {
   }
 
   @Test
+  void onlySoManyClassesAreLookedForInVain() throws Exception {
+    Forged forged = new Forged();
+    for (int i = 0; i <= LocalRecords.UNKNOWN; i++) {
+      String name = "elsewhere.Unknown" + i;
+      forged.describe(TC_OBJECT, name, 1, SC_SERIALIZABLE | SC_WRITE_METHOD, 0).described();
+      forged.out.writeByte(TC_ENDBLOCKDATA);
+    }
+    assertThatThrownBy(() -> scanned(forged).readAllBytes())
+        .hasCauseInstanceOf(RefusedDataException.class)
+        .hasMessageContaining("more than 64 classes that are not known here");
+  }
+
+  @Test
   void whatReadsItselfReadsNoOthers() throws Exception {
     Forged forged = new Forged();
     forged.describe(TC_OBJECT, "java.util.Date", 7523967970034938905L, SC_SERIALIZABLE, 0);
