@@ -113,8 +113,7 @@ class ModuleLandlordTest {
     Arrays.fill(many, UuidFactory.generate());
     for (ThrowingCallable call :
         List.<ThrowingCallable>of(
-            () -> landlord.renewAll(many, new long[many.length]),
-            () -> landlord.cancelAll(many))) {
+            () -> landlord.renewAll(many, new long[many.length]), () -> landlord.cancelAll(many))) {
       assertThatThrownBy(call)
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage("atrv1/gps: 1025 leases in one call > 1024 allowed; name fewer");
