@@ -9,6 +9,8 @@ import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordLease;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.config.ConfigurationException;
@@ -22,6 +24,7 @@ import net.jini.id.UuidFactory;
 import net.jini.lease.LeaseListener;
 import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.core.lease.LeaseBook;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.example.thermometer.RemoteThermometer;
@@ -101,6 +104,21 @@ class ModuleLandlordTest {
         .isInstanceOf(LeaseDeniedException.class)
         .hasMessageContaining("lease 120 s > longest allowed 30 s");
     assertThat(book.clients()).as("a renewal refused ends no lease").isEqualTo(1);
+  }
+
+  @Test
+  void oneCallNamesOnlySoManyLeases() throws Exception {
+    landlord.start();
+    Uuid[] many = new Uuid[1025];
+    Arrays.fill(many, UuidFactory.generate());
+    for (ThrowingCallable call :
+        List.<ThrowingCallable>of(
+            () -> landlord.renewAll(many, new long[many.length]), () -> landlord.cancelAll(many))) {
+      assertThatThrownBy(call)
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("atrv1/gps: 1025 leases in one call > 1024 allowed; name fewer");
+    }
+    assertThat((Map<?, ?>) landlord.cancelAll(Arrays.copyOf(many, 1024))).hasSize(1);
   }
 
   @Test

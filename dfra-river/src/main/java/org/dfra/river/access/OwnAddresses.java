@@ -1,5 +1,6 @@
 package org.dfra.river.access;
 
+import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
@@ -70,8 +71,18 @@ public final class OwnAddresses {
     return bytes.length != IPV4_BYTES || (bytes[1] == 0 && bytes[2] == 0 && bytes[3] == 1);
   }
 
+  /**
+   * Whether an interface has it. A link-local address means another computer on each link, so it
+   * must be that of the interface by which it came: on another link anybody may have it.
+   */
   private static boolean isOfAnInterface(InetAddress address) {
     try {
+      if (address instanceof Inet6Address scoped
+          && scoped.isLinkLocalAddress()
+          && scoped.getScopeId() != 0) {
+        @Nullable NetworkInterface its = NetworkInterface.getByIndex(scoped.getScopeId());
+        return its != null && its.inetAddresses().anyMatch(address::equals);
+      }
       return NetworkInterface.getByInetAddress(address) != null;
     } catch (SocketException e) {
       return false; // the interfaces cannot be read

@@ -3,6 +3,7 @@ package org.dfra.river.call;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 import java.rmi.Remote;
+import java.rmi.server.RemoteObjectInvocationHandler;
 import java.time.Duration;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.jeri.BasicInvocationHandler;
@@ -45,6 +46,23 @@ public final class Callbacks {
             type.getClassLoader(),
             new Class<?>[] {type},
             client == null ? bounded : new CallbackHandler(bounded, client)));
+  }
+
+  /**
+   * Whether an object may be called back on another computer. {@link #bounded} bounds a call by
+   * JERI over TCP; one on a copy in this virtual machine goes nowhere; and references of plain RMI
+   * are read only where they are configured. Over another transport, or by a proxy that has its own
+   * way to call, nothing would end a call that is not answered.
+   */
+  public static boolean isAllowedElsewhere(Remote callback) {
+    if (!Proxy.isProxyClass(callback.getClass())
+        || Proxy.getInvocationHandler(callback) instanceof RemoteObjectInvocationHandler) {
+      return true;
+    }
+    @Nullable BasicInvocationHandler handler = handler(callback);
+    return handler != null
+        && handler.getObjectEndpoint() instanceof BasicObjectEndpoint basic
+        && basic.getEndpoint() instanceof TcpEndpoint;
   }
 
   /**

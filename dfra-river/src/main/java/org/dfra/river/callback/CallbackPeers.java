@@ -75,10 +75,18 @@ public final class CallbackPeers {
    * @param client who wants it to be
    * @param callback its proxy, as it came
    * @throws CallbackRefusedException if it is in another process than the client's others, and
-   *     these are as many as may be
+   *     these are as many as may be; or it is on another computer, and a call on it could hold its
+   *     thread for as long as it likes
    */
   public synchronized CallbackPlace admit(ClientAddress client, Remote callback)
       throws CallbackRefusedException {
+    if (!client.isOwn() && !Callbacks.isAllowedElsewhere(callback)) {
+      throw new CallbackRefusedException(
+          "an object on "
+              + client.host()
+              + " is not called back: no deadline ends a call by its proxy; export it by JERI over"
+              + " TCP");
+    }
     Peer peer = new Peer(client, Callbacks.process(callback));
     @Nullable Places known = places.get(peer);
     if (known == null) {

@@ -153,6 +153,7 @@ public final class UnicastDiscovery {
       }
       groups.add(group);
     }
+    SerialFilters.check(marshalled);
     MarshalledInstance form = new MarshalledInstance(marshalled);
     InetSocketAddress place = new InetSocketAddress(socket.getInetAddress(), socket.getPort());
     return new Answer(new LocatedRegistrar(registrar(form.get(false)), form, place), groups);

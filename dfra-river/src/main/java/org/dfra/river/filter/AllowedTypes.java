@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -52,6 +52,20 @@ final class AllowedTypes {
           "java.security.Principal",
           "java.util.logging.Level",
           "javax.security.auth.x500.X500Principal");
+
+  /**
+   * Collections that hash or compare what they hold, while they are read or later, more often than
+   * a filter can count. What is to be sent in place of them.
+   */
+  private static final Map<String, String> UNCOUNTED =
+      Map.of(
+          "java.util.Collections$CopiesList", "an ArrayList",
+          "java.util.PriorityQueue", "an ArrayList",
+          "java.util.concurrent.ConcurrentHashMap", "a HashMap",
+          "java.util.concurrent.ConcurrentSkipListMap", "a TreeMap",
+          "java.util.concurrent.ConcurrentSkipListSet", "a TreeSet",
+          "java.util.concurrent.CopyOnWriteArraySet", "a HashSet",
+          "java.util.concurrent.PriorityBlockingQueue", "an ArrayList");
 
   /** Handlers of the JDK and of its activation, which call one object exported by JRMP each. */
   private static final Set<String> JRMP_HANDLERS =
@@ -164,10 +178,12 @@ final class AllowedTypes {
         || UnicastRemoteObject.class.isAssignableFrom(type)) {
       return "refused to read class " + name + ": it is known to do harm when it is read";
     }
-    if (type == ConcurrentHashMap.class) {
+    @Nullable String instead = UNCOUNTED.get(name);
+    if (instead != null) {
       return "refused to read class "
           + name
-          + ": no filter sees how many entries it has while it is read; send a HashMap";
+          + ": no filter sees how often it hashes or compares what it holds; send "
+          + instead;
     }
     if (isOfJrmp(type, name) && !jrmp) {
       return "refused to read class "

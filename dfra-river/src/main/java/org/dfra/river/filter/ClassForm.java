@@ -1,8 +1,10 @@
 package org.dfra.river.filter;
 
 import java.io.ObjectStreamConstants;
+import java.io.StreamCorruptedException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,13 +29,76 @@ record ClassForm(
     MAP
   }
 
+  /** Type codes of primitive types. */
+  static final String PRIMITIVES = "BCDFIJSZ";
+
+  /**
+   * Classes of the JDK that read themselves without their fields. So none may be described, and
+   * what they read must be marked as their own: they would go on in what is another object's.
+   */
+  private static final Set<String> WITHOUT_FIELDS =
+      Set.of(
+          "java.rmi.activation.ActivationID",
+          "java.rmi.server.RemoteObject",
+          "java.util.Date",
+          "java.util.concurrent.LinkedTransferQueue",
+          "javax.security.auth.x500.X500Principal");
+
+  /** How a record is never written. */
+  private static final int NO_RECORD =
+      ObjectStreamConstants.SC_WRITE_METHOD | ObjectStreamConstants.SC_EXTERNALIZABLE;
+
   /** A list, a set or a map of {@code List.of} and its like; its one field says which. */
   private static final String IMMUTABLE = "java.util.CollSer";
 
   private static final int IMMUTABLE_SET = 2;
   private static final int IMMUTABLE_MAP = 3;
 
-  /** With the bits of a flag. */
+  /**
+   * Checks the beginning of a description.
+   *
+   * @param fields how many there are
+   * @throws StreamCorruptedException if an object stream would read objects of this class otherwise
+   *     than it says
+   */
+  static void check(String name, int flags, int fields) throws StreamCorruptedException {
+    if (!WITHOUT_FIELDS.contains(name)) {
+      return;
+    }
+    if (fields > 0) {
+      throw new StreamCorruptedException(name + " with fields, which it never reads");
+    }
+    if ((flags & ObjectStreamConstants.SC_WRITE_METHOD) == 0) {
+      throw new StreamCorruptedException(name + " without data of its own, which it always reads");
+    }
+  }
+
+  /**
+   * Checks a description as a whole.
+   *
+   * @throws StreamCorruptedException if its class is a record here, of which an object stream reads
+   *     the fields and nothing else, and the description says more
+   */
+  void check(LocalRecords records) throws StreamCorruptedException {
+    if ((has(NO_RECORD) || parent != null) && records.contain(name)) {
+      throw new StreamCorruptedException(name + " is a record, and has more than its fields");
+    }
+  }
+
+  /**
+   * The type code of an array's elements.
+   *
+   * @throws StreamCorruptedException if it is no array: an object stream would read objects of it
+   */
+  char element() throws StreamCorruptedException {
+    char code = name.length() > 1 && name.charAt(0) == '[' ? name.charAt(1) : ' ';
+    if (HeapSize.isPrimitive(code) && (name.length() > 2 || PRIMITIVES.indexOf(code) < 0)) {
+      throw new StreamCorruptedException("an array of class " + name + ", which is none");
+    }
+    return code;
+  }
+
+  /** With any of these bits. */
   boolean has(int flag) {
     return (flags & flag) != 0;
   }

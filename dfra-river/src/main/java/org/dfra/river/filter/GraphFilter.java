@@ -36,6 +36,11 @@ class GraphFilter implements ObjectInputFilter {
       limits.checkHeap(arrays + HeapSize.SMALL_OBJECT * info.references());
       @Nullable Class<?> type = info.serialClass();
       checkObject(type);
+      if (type == null && info.arrayLength() >= 0) { // read as objects, whatever it is
+        throw new RefusedDataException(
+            "refused to read an array of a class that is not known here; put the class on the class"
+                + " path where it is read");
+      }
       if (type == null) {
         tables.reached(info.depth());
         return Status.UNDECIDED;

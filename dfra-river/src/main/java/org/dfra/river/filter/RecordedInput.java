@@ -5,6 +5,7 @@ import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StreamCorruptedException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
@@ -46,6 +47,11 @@ final class RecordedInput {
   /** Copies kept bytes. */
   void copy(int from, byte[] into, int at, int length) {
     System.arraycopy(bytes, from, into, at, length);
+  }
+
+  /** The last bytes that were taken, as long as nothing more is. */
+  InputStream last(int count) {
+    return new ByteArrayInputStream(bytes, size - count, count);
   }
 
   /** Whether the stream goes on; if so, a byte more is kept. */
@@ -102,6 +108,18 @@ final class RecordedInput {
   long longInteger() throws IOException {
     take(Long.BYTES);
     return ByteBuffer.wrap(bytes).getLong(size - Long.BYTES);
+  }
+
+  /**
+   * A length that a stream announces.
+   *
+   * @throws StreamCorruptedException if nothing can have it
+   */
+  static int length(long announced) throws StreamCorruptedException {
+    if (announced < 0 || announced > Integer.MAX_VALUE) {
+      throw new StreamCorruptedException("a length of " + announced);
+    }
+    return (int) announced;
   }
 
   /** A string in modified UTF-8 with its length in two bytes before it. */

@@ -1,9 +1,13 @@
 package org.dfra.river.filter;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.io.Serializable;
 import java.lang.reflect.Method;
 import java.util.List;
 import net.jini.jeri.OutboundRequest;
@@ -169,6 +173,33 @@ public final class SerialFilters {
     return in;
   }
 
+  /**
+   * Checks what a marshalled object holds before it is unpacked, with the limits of a stream that
+   * the current thread would make now. Those in calls and in their results were checked as they
+   * came.
+   *
+   * @param marshalled a {@code MarshalledObject} or {@code MarshalledInstance}
+   * @throws RefusedDataException if it may not be unpacked
+   * @throws IOException if it cannot be
+   */
+  public static void check(Serializable marshalled) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(marshalled);
+    }
+    StreamScanner scanner =
+        new StreamScanner(new ByteArrayInputStream(bytes.toByteArray()), scope());
+    boolean goesOn = true;
+    while (goesOn) {
+      goesOn = scanner.next();
+    }
+  }
+
+  private static SerialLimits scope() {
+    @Nullable SerialLimits scope = SCOPE.get();
+    return scope == null ? Configured.STREAM : scope;
+  }
+
   /** How large the arguments of one call may be. */
   static SerialLimits callLimits() {
     return Configured.CALL;
@@ -185,8 +216,7 @@ public final class SerialFilters {
 
   /** For a stream that the current thread makes now: the network's, unless its scope is another. */
   static GraphFilter stream() {
-    SerialLimits scope = SCOPE.get();
-    return new GraphFilter(scope == null ? Configured.STREAM : scope, Configured.TYPES);
+    return new GraphFilter(scope(), Configured.TYPES);
   }
 
   /**

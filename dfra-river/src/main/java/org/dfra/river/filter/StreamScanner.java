@@ -1,13 +1,10 @@
 package org.dfra.river.filter;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectStreamConstants;
 import java.io.StreamCorruptedException;
-import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
-import java.util.Set;
 import org.dfra.river.filter.ClassForm.Table;
 import org.jspecify.annotations.Nullable;
 
@@ -19,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * objects are keys, nor where a reference back leads, and an object that refers twice to one that
  * refers twice to another, and so on, has a hash code that takes two to the power of their number
  * to compute. Here all of that is known. {@link Cost} follows references back; keys may cost as
- * many steps together as there may be entries, times {@link #STEPS_PER_ENTRY}.
+ * many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}.
  *
  * <p>An element is a block of primitive data or an object with all that it refers to. It is kept
  * until it has come as a whole: a call that stalls costs the bytes that it has sent, not what its
@@ -27,43 +24,37 @@ import org.jspecify.annotations.Nullable;
  */
 final class StreamScanner implements ObjectStreamConstants {
 
-  /** An honest key is a string, an identity, or a record of a few. */
-  static final int STEPS_PER_ENTRY = 16;
-
   /** Characters that are compared in one step, about. */
   private static final int CHARACTERS_PER_STEP = 16;
 
   private static final int HEADER = 4;
-  private static final long UNFINISHED = 0;
   private static final String ENDPOINT = "net.jini.jeri.BasicObjectEndpoint";
 
-  /** Classes of the JDK that read themselves without their fields, so none may be described. */
-  private static final Set<String> WITHOUT_FIELDS =
-      Set.of(
-          "java.rmi.activation.ActivationID",
-          "java.util.concurrent.LinkedTransferQueue",
-          "javax.security.auth.x500.X500Principal");
+  /** A marshalled object holds a stream, which is judged as it comes, not when it is unpacked. */
+  private static final int STREAMS_IN_ONE_ANOTHER = 8;
 
   private final RecordedInput in;
   private final SerialLimits limits;
-  private final Map<Integer, ClassForm> forms = new HashMap<>(); // by handle
-  private long[] costs = new long[64]; // by handle
-  private int handles;
+  private final StreamBudget budget;
+  private final HandleTable handles = new HandleTable();
+  private final LocalRecords records = new LocalRecords();
+  private final int level;
   private boolean begun;
   private boolean aborting;
   private int depth;
-  private long references;
-  private long claimed;
-  private long heap;
-  private long entries;
-  private long hashed;
 
   /**
    * @param in an object stream from its first byte
    */
   StreamScanner(InputStream in, SerialLimits limits) {
+    this(in, limits, 1);
+  }
+
+  private StreamScanner(InputStream in, SerialLimits limits, int level) {
     this.in = new RecordedInput(in);
     this.limits = limits;
+    this.budget = new StreamBudget(limits);
+    this.level = level;
   }
 
   /** The bytes of the last element. */
@@ -96,7 +87,7 @@ final class StreamScanner implements ObjectStreamConstants {
         content(tag);
       }
     } catch (AbortedException e) { // the element ends with what went wrong at the writer
-      reset();
+      depth = 0; // whose numbers go on, as they do for an object stream
     }
     return true;
   }
@@ -107,8 +98,7 @@ final class StreamScanner implements ObjectStreamConstants {
   }
 
   private void reset() {
-    handles = 0;
-    forms.clear();
+    handles.clear();
     depth = 0;
   }
 
@@ -119,7 +109,7 @@ final class StreamScanner implements ObjectStreamConstants {
       return true;
     }
     if (tag == TC_BLOCKDATALONG) {
-      in.take(length(in.integer()));
+      in.take(RecordedInput.length(in.integer()));
       return true;
     }
     return false;
@@ -132,14 +122,13 @@ final class StreamScanner implements ObjectStreamConstants {
 
   private long content(int tag) throws IOException {
     depth++;
-    references++;
-    SerialLimits.atMost(references, limits.references(), "objects", "dfra.serial.references");
+    budget.reference();
     long cost =
         switch (tag) {
           case TC_NULL -> Cost.LEAF;
-          case TC_REFERENCE -> referred();
+          case TC_REFERENCE -> handles.cost(reference());
           case TC_STRING -> string(in.unsignedShort());
-          case TC_LONGSTRING -> string(length(in.longInteger()));
+          case TC_LONGSTRING -> string(RecordedInput.length(in.longInteger()));
           case TC_OBJECT -> object();
           case TC_ARRAY -> array();
           case TC_ENUM -> constant();
@@ -166,99 +155,108 @@ final class StreamScanner implements ObjectStreamConstants {
     return new AbortedException();
   }
 
-  private void checkDepth() {
-    SerialLimits.atMost(depth, limits.depth(), "objects nested", "dfra.serial.depth");
-  }
-
-  private long referred() throws IOException {
+  /** Reads the number of something that has been before. */
+  private int reference() throws IOException {
     int handle = in.integer() - baseWireHandle;
-    if (handle < 0 || handle >= handles) {
+    if (handle < 0 || handle >= handles.size()) {
       throw new StreamCorruptedException("a reference back to number " + handle);
     }
-    return forms.containsKey(handle)
-        ? Cost.LEAF
-        : costs[handle] == UNFINISHED ? Cost.ENDLESS : costs[handle];
-  }
-
-  private int assign() {
-    if (handles == costs.length) {
-      costs = Arrays.copyOf(costs, 2 * handles);
-    }
-    costs[handles] = UNFINISHED;
-    return handles++;
-  }
-
-  private long finish(int handle, long cost) {
-    costs[handle] = cost;
-    return cost;
-  }
-
-  private void build(long bytes) {
-    heap += bytes;
-    limits.checkHeap(heap);
+    return handle;
   }
 
   private long string(long bytes) throws IOException {
-    int handle = assign();
-    build(HeapSize.string(bytes));
+    int handle = handles.assign();
+    budget.build(HeapSize.string(bytes));
     in.take(bytes);
-    return finish(handle, Cost.of(1 + bytes / CHARACTERS_PER_STEP, 0));
+    if (bytes > 0 && !HeapSize.isPrimitive((char) in.at(in.size() - (int) bytes))) {
+      handles.nameReference(handle);
+    }
+    return handles.finish(handle, Cost.of(1 + bytes / CHARACTERS_PER_STEP, 0));
   }
 
   private long constant() throws IOException {
-    checkDepth();
+    budget.depth(depth);
     ClassForm unused = form();
-    int handle = assign();
+    int handle = handles.assign();
     long unusedName = content();
-    return finish(handle, Cost.LEAF);
+    return handles.finish(handle, Cost.LEAF);
   }
 
   private long named() throws IOException {
-    checkDepth();
+    budget.depth(depth);
     ClassForm unused = form();
-    return finish(assign(), Cost.LEAF);
+    return handles.finish(handles.assign(), Cost.LEAF);
   }
 
   private long array() throws IOException {
-    checkDepth();
+    budget.depth(depth);
     ClassForm form = form();
-    int handle = assign();
+    int handle = handles.assign();
     int length = in.integer();
-    if (form == null || form.name().length() < 2 || length < 0) {
+    if (form == null || length < 0) {
       throw new StreamCorruptedException("an array of " + length + " elements of no class");
     }
-    SerialLimits.atMost(length, limits.arrayLength(), "elements in one array", "dfra.serial.array");
-    char element = form.name().charAt(1);
-    int width = HeapSize.width(element);
-    claimed += (long) length * width;
-    SerialLimits.atMost(claimed, limits.bytes(), "bytes claimed by arrays", "dfra.serial.bytes");
-    build(HeapSize.array(element, length));
+    char element = form.element();
+    budget.array(element, length);
     if (HeapSize.isPrimitive(element)) {
-      in.take((long) length * width);
-      return finish(handle, Cost.of(1L + length, 0));
+      in.take((long) length * HeapSize.width(element));
+      if (element == 'B') {
+        marshalled(length);
+      }
+      return handles.finish(handle, Cost.of(1L + length, 0));
     }
     long cost = Cost.LEAF;
     for (int i = 0; i < length; i++) {
       cost = Cost.sum(cost, content());
     }
-    return finish(handle, cost);
+    return handles.finish(handle, cost);
+  }
+
+  /** Judges the last bytes, if they begin as an object stream does. */
+  private void marshalled(int length) throws IOException {
+    DataInputStream bytes = new DataInputStream(in.last(length));
+    if (length < HEADER
+        || bytes.readShort() != STREAM_MAGIC
+        || bytes.readShort() != STREAM_VERSION) {
+      return;
+    }
+    if (level == STREAMS_IN_ONE_ANOTHER) {
+      throw new RefusedDataException(
+          "refused to read on: marshalled objects in one another, more than "
+              + STREAMS_IN_ONE_ANOTHER
+              + "; send them beside each other");
+    }
+    StreamScanner scanner = new StreamScanner(in.last(length), limits, level + 1);
+    try {
+      boolean goesOn = true;
+      while (goesOn) {
+        goesOn = scanner.next();
+      }
+    } catch (IOException e) {
+      RefusedDataException refusal =
+          new RefusedDataException(
+              "refused to read on: bytes that begin as an object stream are none: "
+                  + e.getMessage());
+      refusal.initCause(e);
+      throw refusal;
+    }
   }
 
   private long object() throws IOException {
-    checkDepth();
+    budget.depth(depth);
     ClassForm form = form();
-    int handle = assign();
+    int handle = handles.assign();
     if (form == null) {
       throw new StreamCorruptedException("an object of no class");
     }
     if (form.has(SC_EXTERNALIZABLE)) {
-      return finish(handle, external(form));
+      return handles.finish(handle, external(form));
     }
     long cost = Cost.LEAF;
     for (ClassForm part : form.lineage()) {
       cost = Cost.sum(cost, data(part));
     }
-    return finish(handle, cost);
+    return handles.finish(handle, cost);
   }
 
   /** What an object has written that writes all of itself. */
@@ -267,13 +265,13 @@ final class StreamScanner implements ObjectStreamConstants {
       throw new StreamCorruptedException(
           form.name() + " is written by the first version of the protocol, without its length");
     }
-    build(HeapSize.SMALL_OBJECT);
+    budget.build(HeapSize.SMALL_OBJECT);
     return annotation(Table.NONE);
   }
 
   /** What one class of an object's lineage has written. */
   private long data(ClassForm form) throws IOException {
-    build(HeapSize.object(form.primitiveBytes(), form.references()));
+    budget.build(HeapSize.object(form.primitiveBytes(), form.references()));
     in.take(form.primitiveBytes());
     boolean flag = form.primitiveBytes() > 0 && in.at(in.size() - 1) != 0;
     if (form.name().equals(ENDPOINT) && (flag || form.primitiveBytes() > 1)) {
@@ -301,7 +299,7 @@ final class StreamScanner implements ObjectStreamConstants {
       long cost = content(tag);
       sum = Cost.sum(sum, cost);
       if (table == Table.SET || (table == Table.MAP && count % 2 == 0)) {
-        hash(cost);
+        budget.hash(cost);
       }
       count++;
     }
@@ -313,15 +311,6 @@ final class StreamScanner implements ObjectStreamConstants {
     return Cost.of(Cost.steps(sum), nested);
   }
 
-  private void hash(long key) {
-    entries++;
-    limits.checkTables(entries);
-    hashed += Cost.steps(key);
-    long steps = STEPS_PER_ENTRY * Math.min(limits.tableEntries(), Integer.MAX_VALUE);
-    SerialLimits.atMost(hashed, steps, "steps to hash keys", "dfra.serial.table");
-    build(HeapSize.TABLE_ENTRY);
-  }
-
   /** Reads a class descriptor or a reference back to one; null for none. */
   private @Nullable ClassForm form() throws IOException {
     int tag = in.unsignedByte();
@@ -329,7 +318,7 @@ final class StreamScanner implements ObjectStreamConstants {
       return null;
     }
     if (tag == TC_REFERENCE) {
-      ClassForm known = forms.get(in.integer() - baseWireHandle);
+      @Nullable ClassForm known = handles.form(reference());
       if (known == null) {
         throw new StreamCorruptedException("a reference back to a class that was not described");
       }
@@ -339,11 +328,11 @@ final class StreamScanner implements ObjectStreamConstants {
   }
 
   private ClassForm describe(int tag) throws IOException {
-    references++;
-    checkDepth();
-    int handle = assign();
+    budget.reference();
+    budget.depth(depth);
+    int handle = handles.assign();
     if (tag == TC_PROXYCLASSDESC) {
-      int interfaces = length(in.integer());
+      int interfaces = RecordedInput.length(in.integer());
       for (int i = 0; i < interfaces; i++) {
         in.take(in.unsignedShort());
       }
@@ -355,23 +344,40 @@ final class StreamScanner implements ObjectStreamConstants {
     String name = in.name();
     in.take(Long.BYTES);
     int flags = in.unsignedByte();
-    int fields = in.unsignedShort();
-    if (fields > 0 && WITHOUT_FIELDS.contains(name)) {
-      throw new StreamCorruptedException(name + " with fields, which it never reads");
+    int fields = (short) in.unsignedShort();
+    if (fields < 0) { // which an object stream takes for none
+      throw new StreamCorruptedException(name + " with " + fields + " fields");
     }
+    ClassForm.check(name, flags, fields);
     long primitives = 0;
     int others = 0;
     for (int i = 0; i < fields; i++) {
       char code = (char) in.unsignedByte();
       in.take(in.unsignedShort());
-      if (HeapSize.isPrimitive(code)) {
+      if (!HeapSize.isPrimitive(code)) {
+        others++;
+        type();
+      } else if (ClassForm.PRIMITIVES.indexOf(code) >= 0) {
         primitives += HeapSize.width(code);
       } else {
-        others++;
-        long unused = content();
+        throw new StreamCorruptedException(name + " with a field of type " + code);
       }
     }
     return described(handle, name, flags, primitives, others);
+  }
+
+  /** Reads the type of a field that is a reference: that of a value would be believed. */
+  private void type() throws IOException {
+    int tag = in.unsignedByte();
+    int handle = handles.size();
+    if (tag == TC_REFERENCE) {
+      handle = reference();
+    } else if (tag == TC_STRING || tag == TC_LONGSTRING) {
+      long unused = content(tag);
+    }
+    if (!handles.namesReference(handle)) {
+      throw new StreamCorruptedException("a field that is a reference has another type");
+    }
   }
 
   /** Reads the rest of a descriptor: annotation and parent. */
@@ -381,14 +387,8 @@ final class StreamScanner implements ObjectStreamConstants {
     depth++;
     ClassForm form = new ClassForm(name, flags, primitives, others, form());
     depth--;
-    forms.put(handle, form);
+    form.check(records);
+    handles.describe(handle, form);
     return form;
-  }
-
-  private static int length(long announced) throws StreamCorruptedException {
-    if (announced < 0 || announced > Integer.MAX_VALUE) {
-      throw new StreamCorruptedException("a length of " + announced);
-    }
-    return (int) announced;
   }
 }

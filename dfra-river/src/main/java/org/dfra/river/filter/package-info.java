@@ -11,6 +11,10 @@
  *                                                RefusedDataException, nothing is built
  * </pre>
  *
+ * <p>What marshalled objects in a call or in its result hold is checked with them, since River
+ * unpacks those by itself later; what else brings any has {@link
+ * org.dfra.river.filter.SerialFilters#check} look first.
+ *
  * <p>Every stream has the network's limits. What reads a file says so: {@link
  * org.dfra.river.filter.SerialFilters#guardStored} for a stream, {@link
  * org.dfra.river.filter.SerialFilters#readingStored} around code that makes its streams itself.

@@ -44,6 +44,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   /** Above what listeners may have, each of which holds one. */
   private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(256, 1024, 4096);
 
+  /** Leases that are renewed or cancelled in one call. */
+  private static final int TOGETHER = 1024;
+
   private final String module;
   private final LeaseBook book;
   private final Exporter exporter;
@@ -220,14 +223,39 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException if they are more than {@value #TOGETHER}
+   */
   @Override
   public RenewResults renewAll(Uuid[] cookies, long[] durations) {
+    checkCount(cookies);
     return LandlordUtil.renewAll(this, cookies, durations);
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException if they are more than {@value #TOGETHER}
+   */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   public @Nullable Map cancelAll(Uuid[] cookies) {
+    checkCount(cookies);
     return LandlordUtil.cancelAll(this, cookies);
+  }
+
+  /** Each that is not known costs an exception with its stack trace, also in the answer. */
+  private void checkCount(Uuid[] cookies) {
+    if (cookies.length > TOGETHER) {
+      throw new IllegalArgumentException(
+          module
+              + ": "
+              + cookies.length
+              + " leases in one call > "
+              + TOGETHER
+              + " allowed; name fewer");
+    }
   }
 }

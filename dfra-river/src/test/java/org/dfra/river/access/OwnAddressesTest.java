@@ -1,10 +1,13 @@
 package org.dfra.river.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,5 +43,23 @@ class OwnAddressesTest {
         NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses).toList();
     assertThat(all).isNotEmpty().allMatch(OwnAddresses.exportedAt("192.0.2.1")::contain);
     assertThat(all).allMatch(OwnAddresses.exportedAt(null)::contain);
+  }
+
+  @Test
+  void theLinkLocalAddressOfOneInterfaceIsAnybodysOnAnothersLink() throws Exception {
+    Optional<Inet6Address> found =
+        NetworkInterface.networkInterfaces()
+            .flatMap(NetworkInterface::inetAddresses)
+            .filter(Inet6Address.class::isInstance)
+            .map(Inet6Address.class::cast)
+            .filter(Inet6Address::isLinkLocalAddress)
+            .findFirst();
+    assumeTrue(found.isPresent(), "no interface here has a link-local address");
+    Inet6Address own = found.orElseThrow();
+    int other = NetworkInterface.getByInetAddress(InetAddress.getLoopbackAddress()).getIndex();
+    InetAddress elsewhere = Inet6Address.getByAddress(null, own.getAddress(), other);
+    OwnAddresses addresses = OwnAddresses.ofThisComputer();
+    assertThat(addresses.contain(own)).isTrue();
+    assertThat(addresses.contain(elsewhere)).isFalse();
   }
 }

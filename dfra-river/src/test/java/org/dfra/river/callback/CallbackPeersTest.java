@@ -3,12 +3,14 @@ package org.dfra.river.callback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.lang.reflect.Proxy;
 import java.rmi.Remote;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
+import net.jini.jeri.http.HttpEndpoint;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
@@ -67,6 +69,31 @@ class CallbackPeersTest {
             "processes that are called back from here: 127.1.1.66 holds 12 of at most 12");
     assertThat(peers.admit(STRANGER, listener(7001))).as("a known process").isNotNull();
     assertThat(peers.admit(OTHER, listener(7100))).as("another address").isNotNull();
+  }
+
+  @Test
+  void whatNoDeadlineBoundsIsCalledBackOnThisComputerOnly() throws Exception {
+    Class<?>[] kind = {RemoteModuleListener.class};
+    ClassLoader loader = RemoteModuleListener.class.getClassLoader();
+    Remote itsOwnWay =
+        (Remote) Proxy.newProxyInstance(loader, kind, (proxy, method, arguments) -> null);
+    Remote byHttp =
+        (Remote)
+            DeadlineILFactory.proxy(
+                new BasicObjectEndpoint(
+                    HttpEndpoint.getInstance("127.1.1.66", 7001), UuidFactory.generate(), false),
+                Duration.ofSeconds(1),
+                loader,
+                kind);
+    for (Remote listener : List.of(itsOwnWay, byHttp)) {
+      assertThatExceptionOfType(CallbackRefusedException.class)
+          .isThrownBy(() -> peers.admit(STRANGER, listener))
+          .withMessageContaining("127.1.1.66")
+          .withMessageContaining("JERI over TCP");
+    }
+    assertThat(peers.processes()).isZero();
+    ClientAddress own = ClientAddress.of("127.0.0.1", "127.1.1.10");
+    assertThat(peers.admit(own, byHttp)).isNotNull();
   }
 
   @Test

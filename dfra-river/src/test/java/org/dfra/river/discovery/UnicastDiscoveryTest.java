@@ -14,6 +14,7 @@ import java.lang.reflect.Proxy;
 import java.net.ConnectException;
 import java.rmi.MarshalledObject;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
@@ -87,6 +88,21 @@ class UnicastDiscoveryTest {
             new Class<?>[] {ServiceRegistrar.class},
             new Stalling());
     refused(AnsweringServer.answer(dynamic, List.of()), "not a lookup service");
+  }
+
+  @Test
+  void refusesAProxyThatTakesForEverToBuild() throws Exception {
+    List<Object> ladder = new ArrayList<>(List.of("x"));
+    List<Object> rungs = new ArrayList<>();
+    for (int i = 0; i < 60; i++) {
+      rungs.add(ladder);
+      ladder = new ArrayList<>(List.of(ladder, ladder));
+    }
+    List<Object> key = new ArrayList<>();
+    HashSet<Object> set = new HashSet<>(List.of(key));
+    key.add(ladder);
+    Object[] bomb = {rungs.toArray(), set};
+    refused(AnsweringServer.answer(bomb, List.of()), "steps to hash keys");
   }
 
   @Test

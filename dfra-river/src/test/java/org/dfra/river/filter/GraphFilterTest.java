@@ -16,12 +16,19 @@ import java.rmi.ServerException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.PriorityQueue;
 import java.util.TreeMap;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.CopyOnWriteArraySet;
+import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.dfra.module.Identification;
@@ -68,7 +75,7 @@ class GraphFilterTest {
     Exception failure = new ServerException("x", new NoSuchFileException("a", "b", "c"));
     failure.addSuppressed(new IllegalStateException(new ArithmeticException()));
     assertThat(read(Payload.bytes(failure))).hasToString(failure.toString());
-    Object many = new ArrayList<>(java.util.Collections.nCopies(50_000, Instant.EPOCH));
+    Object many = new ArrayList<>(Collections.nCopies(50_000, Instant.EPOCH));
     assertThat(read(Payload.bytes(many))).isEqualTo(many);
     assertThat(read(Payload.bytes(Payload.nested(12)))).isNotNull();
   }
@@ -183,9 +190,37 @@ class GraphFilterTest {
   }
 
   @Test
-  void refusesAConcurrentTableOfWhichNothingIsSeen() throws Exception {
-    assertRefused(Payload.bytes(new java.util.concurrent.ConcurrentHashMap<>(Map.of("a", 1))))
-        .hasMessageContaining("send a HashMap");
+  void refusesCollectionsThatHashOrCompareMoreThanIsSeen() throws Exception {
+    List<Map.Entry<Object, String>> instead =
+        List.of(
+            Map.entry(new ConcurrentHashMap<>(Map.of("a", 1)), "send a HashMap"),
+            Map.entry(new ConcurrentSkipListMap<>(Map.of("a", 1)), "send a TreeMap"),
+            Map.entry(new ConcurrentSkipListSet<>(List.of("a")), "send a TreeSet"),
+            Map.entry(new CopyOnWriteArraySet<>(List.of("a")), "send a HashSet"),
+            Map.entry(Collections.nCopies(Integer.MAX_VALUE, 1), "send an ArrayList"),
+            Map.entry(new PriorityQueue<>(List.of("a")), "send an ArrayList"),
+            Map.entry(new PriorityBlockingQueue<>(List.of("a")), "send an ArrayList"));
+    for (Map.Entry<Object, String> each : instead) {
+      assertRefused(Payload.bytes(each.getKey())).hasMessageContaining(each.getValue());
+    }
+  }
+
+  @Test
+  void refusesAnArrayOfAClassThatIsNotKnown() throws Exception {
+    long bytes = ObjectStreamClass.lookupAny(byte[].class).getSerialVersionUID();
+    assertRefused(Payload.array("[Lelsewhere.Unknown;", 1, 1))
+        .hasMessageContaining("an array of a class that is not known here");
+    byte[] hidden = Payload.array("[B", bytes, 1); // its codebase is refused, say
+    try (ObjectInputStream in =
+        new ObjectInputStream(new ByteArrayInputStream(hidden)) {
+          @Override
+          protected Class<?> resolveClass(ObjectStreamClass type) throws ClassNotFoundException {
+            throw new ClassNotFoundException(type.getName());
+          }
+        }) {
+      in.setObjectInputFilter(SerialFilters.call(new AllowedTypes(List.of())));
+      assertThatThrownBy(in::readObject).hasCauseInstanceOf(RefusedDataException.class);
+    }
   }
 
   @Test
