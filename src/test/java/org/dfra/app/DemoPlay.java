@@ -172,7 +172,8 @@ abstract class DemoPlay {
       for (Path log : files.filter(each -> each.toString().endsWith(".log")).sorted().toList()) {
         List<String> lines = Files.readAllLines(log);
         ends.append("-- ").append(temp.relativize(log)).append('\n');
-        lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size())
+        lines
+            .subList(Math.max(0, lines.size() - LAST_LINES), lines.size())
             .forEach(line -> ends.append(line).append('\n'));
       }
       return ends.toString();
