@@ -2,6 +2,7 @@ package org.dfra.river.phoenix;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.river.access.AdministrationPolicy;
 
 /**
  * What a group may be started with where phoenix is not configured otherwise: options that bound
@@ -56,6 +57,7 @@ public final class StandardPermissions {
   static final List<String> PROPERTIES =
       List.of(
           Phoenix.GROUP_NAME + "=*",
+          AdministrationPolicy.PROPERTY + "=*",
           "dfra.classes=*",
           "dfra.classes.*=*",
           "dfra.serial.*=*",

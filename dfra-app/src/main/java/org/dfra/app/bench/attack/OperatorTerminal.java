@@ -9,6 +9,7 @@ import org.dfra.app.Main;
 import org.dfra.app.bench.attack.AttackTask.Target;
 import org.dfra.app.figure.Figure;
 import org.dfra.river.bootstrap.JvmCommand;
+import org.dfra.text.Printable;
 
 /**
  * Runs commands of {@code ./dfra} as an operator of the attacked robot, each in a process of its
@@ -72,7 +73,11 @@ final class OperatorTerminal {
    */
   void requireShown(String text) throws IOException {
     if (!check.shows(text)) {
-      throw new IOException("no command printed " + text + ", which the attacker registered");
+      throw new IOException(
+          "no command printed "
+              + text
+              + ", which the attacker registered; printed were: "
+              + Printable.line(check.printed()));
     }
   }
 

@@ -43,6 +43,11 @@ public final class TerminalCheck {
     return all.indexOf(text) >= 0;
   }
 
+  /** All that was printed, as it was. */
+  public String printed() {
+    return all.toString();
+  }
+
   /** How many lines were printed, and how many of them no operator should see. */
   public List<Figure> figures() {
     return List.of(
