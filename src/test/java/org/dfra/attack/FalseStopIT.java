@@ -70,7 +70,7 @@ class FalseStopIT {
   @Test
   @Order(1)
   void theRealWheelsStopAndItsPhoenixConfirmsIt() throws Exception {
-    try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
+    try (Commander unused = robot.driven(LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
       fakes.replace();
       StallProbe.Stopwatch running = probe.stopwatch();

@@ -35,7 +35,12 @@ public final class Commander implements AutoCloseable {
   public Commander(DriveEffector drive, Duration duration, Velocity velocity) throws Exception {
     this.drive = drive;
     this.lease = drive.command(duration);
-    drive.obey(lease.key(), new Brake(false));
+    try {
+      drive.obey(lease.key(), new Brake(false));
+    } catch (RemoteException | RuntimeException e) {
+      close();
+      throw e;
+    }
     this.driving =
         thread.scheduleAtFixedRate(
             () -> command(velocity), 0, PERIOD_MILLIS, TimeUnit.MILLISECONDS);

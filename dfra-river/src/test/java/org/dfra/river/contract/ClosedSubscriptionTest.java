@@ -68,7 +68,8 @@ class ClosedSubscriptionTest {
       await()
           .atMost(PATIENCE)
           .untilAsserted(() -> assertThat(gps().events().entries().size()).isZero());
-      assertThat(unclosed.isOpen()).isFalse();
+      // Each side counts the lease from when it was granted as it knows; they differ by the call.
+      await().atMost(PATIENCE).until(() -> !unclosed.isOpen());
       assertThat(exporter.unexport(true)).isTrue();
     }
   }

@@ -17,8 +17,9 @@ import org.dfra.text.Printable;
  */
 final class OperatorTerminal {
 
-  private static final String WAIT = "2"; // seconds for answers
-  private static final long PATIENCE_SECONDS = 30;
+  private static final String WAIT =
+      "20"; // seconds for answers; used up only where something is missing
+  private static final long PATIENCE_SECONDS = 60;
 
   /** Else a character that the terminal's encoding lacks would be printed as a question mark. */
   private static final List<String> ENCODING =
