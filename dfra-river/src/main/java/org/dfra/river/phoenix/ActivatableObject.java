@@ -26,6 +26,9 @@ final class ActivatableObject {
 
   private static final int ATTEMPTS = 2;
 
+  /** Where a group's process turned out to be unusable: the one that replaces it is asked too. */
+  private static final int WITH_REPLACEMENT = ATTEMPTS + 1;
+
   /** Shorter than the deadline of the calls that wait for it. */
   private static final Duration MAKING_AWAITED = Duration.ofSeconds(8);
 
@@ -83,7 +86,8 @@ final class ActivatableObject {
 
   private MarshalledObject<? extends Remote> make(ActivationID id) throws ActivationException {
     @Nullable Exception last = null;
-    for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
+    int attempts = ATTEMPTS;
+    for (int attempt = 1; attempt <= attempts; attempt++) {
       requireRegistered();
       Maker maker = group.maker();
       madeIn = maker.incarnation();
@@ -95,11 +99,13 @@ final class ActivatableObject {
       } catch (NoSuchObjectException | InactiveGroupException e) {
         madeIn = NEVER;
         group.unusable(maker, false);
+        attempts = WITH_REPLACEMENT;
         last = e;
       } catch (ConnectException | ConnectIOException e) {
         madeIn = NEVER;
         if (Refusal.isProvenBy(e)) { // else it may work, and this process have too many open files
           group.unusable(maker, true);
+          attempts = WITH_REPLACEMENT;
         }
         last = e;
       } catch (RemoteException e) { // it may have been made
@@ -115,7 +121,7 @@ final class ActivatableObject {
             + " ("
             + desc.getClassName()
             + ") could not be made in "
-            + ATTEMPTS
+            + attempts
             + " attempts: "
             + (last == null ? "" : last.getMessage()),
         last);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.awaitility.Awaitility.await;
 
+import java.rmi.RemoteException;
 import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownGroupException;
@@ -112,6 +113,22 @@ class GroupEndTest extends GroupFixture {
     assertThat(ProcessHandle.of(pid).isPresent() && second.pid() == pid)
         .as("the unreachable process lives")
         .isFalse();
+    FakeGroup next = fake();
+    system.activeGroup(group, next.proxy, 2);
+    assertThat(activated.get()).isEqualTo(next.proxy);
+  }
+
+  /** The second attempt finds that nothing listens; the process after it is asked once more. */
+  @Test
+  void groupThatEndsInTheFirstAttemptIsReplaced() throws Exception {
+    FakeGroup fake = active();
+    fake.making =
+        () -> {
+          fake.close();
+          throw new RemoteException("lost");
+        };
+    Future<?> activated = activate(object, false);
+    awaitIncarnation(2);
     FakeGroup next = fake();
     system.activeGroup(group, next.proxy, 2);
     assertThat(activated.get()).isEqualTo(next.proxy);
