@@ -88,9 +88,9 @@ class FalseStopIT {
   @Test
   @Order(2) // it kills the drive, whose next incarnation takes the place of the fake at any time
   void whatItsPhoenixCannotConfirmIsShownAsDoubt() throws Exception {
-    fakes.replace();
-    robot.signal("STOP", "eta.wheels");
+    robot.signal("STOP", "eta.wheels"); // first, so that the drive cannot register itself anew
     try {
+      fakes.replace();
       Said said = stop();
       assertThat(said.status()).as(said.text()).isEqualTo(4);
       assertThat(said.text())
