@@ -8,7 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
-/** {@code ./dfra demo raster}: embedded in the everyday tier, with processes in full. */
+/** {@code ./dfra demo raster}, embedded and with processes. */
+@EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
 class DemoRasterIT extends DemoPlay {
 
   /** Three lanes of 7.5 m in the west of the field. */
@@ -52,7 +53,6 @@ class DemoRasterIT extends DemoPlay {
    * user sees who says no more than {@code ./dfra demo}.
    */
   @Test
-  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
   void theRasterIsSearchedThoughProcessesAreKilled() throws Exception {
     String said =
         play(

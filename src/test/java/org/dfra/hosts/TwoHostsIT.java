@@ -172,6 +172,7 @@ class TwoHostsIT {
     patiently()
         .atMost(rest.plus(PATIENCE))
         .during(rest)
+        .pollInterval(Duration.ofMillis(FULL ? 100 : 500))
         .until(
             () ->
                 hosts.get(0).ask("call atrv1/gps_rear").endsWith(" ok")

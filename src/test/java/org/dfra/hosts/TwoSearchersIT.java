@@ -15,14 +15,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.app.demo.stage.SimulatedField;
 import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.raster.SparseField;
-import org.dfra.app.raster.SparseField.Start;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
@@ -32,33 +29,23 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Two robots on two hosts search a region by raster; the radio between them is cut silently. Their
  * devices are in one simulated world, at the ends of serial cables, which nobody cuts. The second
  * robot's clock is 0.8 s ahead and gains a tenth of a millisecond in a second.
- *
- * <p>The short form asks the same questions of a {@link SparseField}. It leaves to {@code
- * dfra.full}: the robots as they are shipped, with a process for each device and the laser at full
- * rate, a field with posts, and a cut that is longer than a lease.
  */
 @Timeout(1200)
+@EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
 class TwoSearchersIT {
 
   private static final Path ROOT = Path.of(System.getProperty("dfra.root"));
-  private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final Duration PATIENCE = Duration.ofSeconds(180);
 
-  /**
-   * Longer than the three seconds after which silence counts, and in a full run than a lease of 30
-   * s, as {@link TwoHostsIT} always has it.
-   */
-  private static final Duration CUT = Duration.ofSeconds(FULL ? 60 : 12);
-
-  /** In the short form: before the lanes at which the robots begin, at the ends of the region. */
-  private static final Map<String, Start> STARTS =
-      Map.of("atrv1", new Start(9, 2, 0), "atrv2", new Start(31, 2, Math.PI));
+  /** Longer than a lease of 30 s and the three seconds after which silence counts. */
+  private static final Duration CUT = Duration.ofSeconds(60);
 
   /** What the second robot's clock gains, seconds in a second, and since how many seconds. */
   private static final double DRIFT = 1e-4;
@@ -87,8 +74,7 @@ class TwoSearchersIT {
     network = new TestHosts();
     stage = new Stage();
     sockets = Files.createTempDirectory("dfra-cables-"); // a socket's name must be short
-    Path field =
-        FULL ? ROOT.resolve("config/worlds/raster.xml") : SparseField.world(folder, STARTS);
+    Path field = ROOT.resolve("config/worlds/raster.xml");
     SimulatedField world = SimulatedField.start(stage, field, List.of("--seed=3"));
     RobotHost first = host(world, 0, "real");
     hosts = List.of(first);
@@ -114,10 +100,7 @@ class TwoSearchersIT {
       CABLES.add(SerialCable.deviceEnd(socket, line.getValue()));
       client.add(line.getKey().toUpperCase(Locale.ROOT) + "=" + socket);
     }
-    Path xml =
-        FULL
-            ? RobotHost.shipped("raster", robot)
-            : SparseField.robot(folder, robot, "navigation", Set.of());
+    Path xml = RobotHost.shipped("raster", robot);
     return new RobotHost(network, number, "raster", xml, folder.resolve(robot), time, client);
   }
 

@@ -3,6 +3,7 @@ package org.dfra.app.raster.embedded;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.HashSet;
@@ -19,6 +20,9 @@ import org.dfra.app.raster.FewLanes;
 import org.dfra.app.raster.Flight;
 import org.dfra.app.raster.Flight.RobotFlight;
 import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.SparseField;
+import org.dfra.app.raster.SparseField.Start;
 import org.dfra.app.raster.ToldMarks;
 import org.dfra.app.raster.live.Scene;
 import org.dfra.app.raster.live.Trouble;
@@ -31,8 +35,13 @@ import org.dfra.river.proxy.behavior.RasterSearchProxy;
 import org.dfra.river.remote.behavior.RemoteBehavior;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
-/** One robot in this virtual machine searches a few lanes while its registrar comes and goes. */
+/**
+ * One robot in this virtual machine searches a few lanes while its registrar comes and goes. The
+ * short form does so in a {@link SparseField}, beside whose lanes it starts. It leaves to {@code
+ * dfra.full} the laser at full rate, the posts, and the way to the lanes.
+ */
 @Timeout(600)
 class EmbeddedMissionIT {
 
@@ -41,6 +50,10 @@ class EmbeddedMissionIT {
 
   /** Robot's time; a search of this region takes some 70 s where nothing goes wrong. */
   private static final Duration LONGEST = Duration.ofMinutes(9);
+
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+
+  @TempDir Path folder;
 
   private final ToldMarks told = new ToldMarks();
   private final Figures figures = new Figures();
@@ -88,12 +101,21 @@ class EmbeddedMissionIT {
     }
   }
 
+  private Scenario scenario() throws Exception {
+    if (FULL) {
+      return FewLanes.scenario();
+    }
+    Path world = SparseField.world(folder, Map.of("atrv1", new Start(10.5, 3, 0)));
+    Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation", "lookup"));
+    return FewLanes.scenario(world, robot);
+  }
+
   /** As where the computer does not keep up: what was seen until then is not lost. */
   @Test
   void tellsOfASearchThatIsGivenUp() throws Exception {
     Flight flight =
         new EmbeddedMission(
-                FewLanes.scenario(),
+                scenario(),
                 SPEED,
                 Duration.ofSeconds(8),
                 robot -> robot,
@@ -113,7 +135,7 @@ class EmbeddedMissionIT {
     Onlooker onlooker = new Onlooker();
     Flight flight =
         new EmbeddedMission(
-                FewLanes.scenario(),
+                scenario(),
                 SPEED,
                 LONGEST,
                 robot -> robot,

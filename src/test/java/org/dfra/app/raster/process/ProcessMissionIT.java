@@ -26,7 +26,8 @@ import org.junit.jupiter.api.io.TempDir;
 /**
  * One robot in real processes searches a few lanes while processes are killed. The short form does
  * so in a {@link SparseField}, beside whose lanes it starts, with one process for all devices. It
- * leaves to {@code dfra.full} the robot as it is shipped, among posts, and its way to the lanes.
+ * leaves to {@code dfra.full} the robot as it is shipped, among posts, its way to the lanes, and
+ * the third lane.
  */
 @Timeout(600)
 class ProcessMissionIT {
@@ -51,7 +52,7 @@ class ProcessMissionIT {
     if (!FULL) {
       world = SparseField.world(folder, Map.of("atrv1", new Start(10.5, 3, 0)));
       Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation", "lookup"));
-      scenario = FewLanes.scenario(world, robot);
+      scenario = FewLanes.twoLanes(world, robot);
     }
     return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, troubles, figures)
         .run(told);
