@@ -38,6 +38,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -126,6 +127,7 @@ class ReconfiguredRobotIT {
   }
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "has a sibling")
   void whatTheDescriptionDoesNotNameAnyMoreEnds() throws Exception {
     assertThat(listed("eye").module().celsius()).isEqualTo(1);
 
@@ -316,6 +318,7 @@ class ReconfiguredRobotIT {
   }
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "has a sibling")
   void aNewModuleStartsWhenTheOneThatHadItsDeviceHasEnded() throws Exception {
     awaitCelsius("drive", 1);
     mu.up(

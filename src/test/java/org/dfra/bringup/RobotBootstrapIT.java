@@ -49,6 +49,7 @@ import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -295,6 +296,7 @@ class RobotBootstrapIT {
   }
 
   @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "has a sibling")
   void aRegistrarsPortThatIsTakenIsToldInOneSentence() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 0, InetAddress.getByName(HOST))) {
       Path gamma =

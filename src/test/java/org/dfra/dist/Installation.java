@@ -24,6 +24,12 @@ final class Installation implements AutoCloseable {
   /** What a command said and how it ended. */
   record Outcome(int exit, String out, String err) {}
 
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+
+  /** For a tool that ends before its compiled code is worth the time. */
+  private static final Map<String, String> SHORT_LIVED =
+      Map.of("JAVA_TOOL_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");
+
   private static final Path ROOT = Path.of(System.getProperty("dfra.root"));
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
@@ -61,7 +67,7 @@ final class Installation implements AutoCloseable {
     Path jlink = Path.of(System.getProperty("java.home"), "bin", "jlink");
     assumeTrue(Files.isExecutable(jlink), "the Java that runs the tests has no jlink");
     run(
-        Map.of(),
+        FULL ? Map.of() : SHORT_LIVED,
         jlink.toString(),
         "--add-modules",
         "java.se,jdk.crypto.ec,jdk.unsupported",

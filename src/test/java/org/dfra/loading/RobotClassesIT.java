@@ -29,10 +29,14 @@ import org.junit.jupiter.api.io.TempDir;
  * Robots in real processes, under one phoenix, serve a kind of module that their clients have never
  * seen. Robot r1 is shared: it serves a jar that nobody has signed, and each test that needs it
  * finds it serving. The order of the tests only saves bringing it up again.
+ *
+ * <p>The short form rebuilds a served jar twice: once the module's process is restarted first, once
+ * the registrar's. It leaves to {@code dfra.full} that both have been restarted.
  */
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class RobotClassesIT {
 
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final Duration PATIENCE = Duration.ofSeconds(40);
   private static final String ALL_IS_SERVED = "all is served";
 
@@ -167,9 +171,11 @@ class RobotClassesIT {
       assertThat(client.ask("again")).isEqualTo(r2.found("second"));
       onlyANewClientGets(r2, "second", trust);
 
-      phoenix.kill("r2.lasers");
-      awaitAnswer(client, r2, "third");
-      onlyANewClientGets(r2, "third", trust);
+      if (FULL) {
+        phoenix.kill("r2.lasers");
+        awaitAnswer(client, r2, "third");
+        onlyANewClientGets(r2, "third", trust);
+      }
     } finally {
       RobotRemoval.of(phoenix.process(), r2.name(), PATIENCE);
     }
