@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A stranger registers 3000 fakes (in the everyday tier 1000), each of a robot of its own, in a
+ * A stranger registers 3000 fakes (in the everyday tier 300), each of a robot of its own, in a
  * robot's registrar. It takes 256 of them; whoever comes then finds the robot's drive within 3 s,
  * and what the robot registers itself is taken.
  */
@@ -28,7 +28,7 @@ class ManyFakesIT {
 
   private static final Duration PATIENCE = Duration.ofSeconds(90);
   private static final Duration BOUND = Duration.ofSeconds(3);
-  private static final int FAKES = Boolean.getBoolean("dfra.full") ? 3000 : 1000;
+  private static final int FAKES = Boolean.getBoolean("dfra.full") ? 3000 : 300;
   private static final int TAKEN = 256;
 
   @TempDir Path folder;

@@ -61,6 +61,10 @@ class ClockStepIT {
   private static final Duration LEASE = Duration.ofMillis(EmbeddedReggie.LEASE_MILLIS);
   private static final Duration BOUND = LEASE.plusSeconds(5);
 
+  /** Between looks at what is listed; fewer in the everyday tier. */
+  private static final Duration POLL =
+      Duration.ofMillis(Boolean.getBoolean("dfra.full") ? 100 : 300);
+
   /** Seconds that a clock is ahead, one after the other: it is set back by an hour, and forward. */
   private static final List<Long> STEPS = List.of(-3600L, 0L);
 
@@ -195,14 +199,14 @@ class ClockStepIT {
       throws Exception {
     await("listing of " + List.of(names))
         .atMost(PATIENCE)
-        .pollInterval(Duration.ofMillis(100))
+        .pollInterval(POLL)
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
         .until(() -> hasPassed(watch) && listed(registrar).equals(Set.of(names)));
     Timing listed = watch.stop();
     await("that it stays so")
         .during(LEASE.plusSeconds(1))
         .atMost(PATIENCE)
-        .pollInterval(Duration.ofMillis(100))
+        .pollInterval(POLL)
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
         .until(() -> listed(registrar).equals(Set.of(names)));
     listed.requireWithin("being listed aright after a step of the clock", BOUND);

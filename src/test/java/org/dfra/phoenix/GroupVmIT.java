@@ -29,8 +29,15 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Groups in virtual machines of their own. */
+/**
+ * Groups in virtual machines of their own.
+ *
+ * <p>Short: eight rounds of 32 threads, and one kill less. {@code dfra.full}: thirty rounds.
+ */
 class GroupVmIT {
+
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
+  private static final int ROUNDS = FULL ? 30 : 8;
 
   @TempDir static Path temp;
   private static PhoenixFixture phoenix;
@@ -74,7 +81,7 @@ class GroupVmIT {
     List<Beacon> first = activateByThirtyTwo(cold);
     assertThat(first.get(0).instances()).as("instances in a cold group").isEqualTo(1);
     assertThat(phoenix.vms("crowd")).hasSize(1);
-    for (int round = 2; round <= 30; round++) {
+    for (int round = 2; round <= ROUNDS; round++) {
       List<Beacon> more = activateByThirtyTwo(phoenix.register(group, "ok", false));
       assertThat(more.get(31).instances()).as("instances after round %s", round).isEqualTo(round);
     }
@@ -112,10 +119,12 @@ class GroupVmIT {
       Beacon beacon = (Beacon) id.activate(false);
       assertThat(phoenix.vms("victim")).as("after a kill while starting").hasSize(1);
 
-      long active = beacon.pid();
-      PhoenixFixture.kill(active);
-      assertThat(beacon.pid()).as("after a kill while active").isNotEqualTo(active);
-      assertThat(phoenix.vms("victim")).containsExactly(beacon.pid());
+      if (FULL) { // every day AdoptionIT and RiverIT kill one that is active
+        long active = beacon.pid();
+        PhoenixFixture.kill(active);
+        assertThat(beacon.pid()).as("after a kill while active").isNotEqualTo(active);
+        assertThat(phoenix.vms("victim")).containsExactly(beacon.pid());
+      }
 
       long leaving = beacon.pid();
       beacon.deactivate();

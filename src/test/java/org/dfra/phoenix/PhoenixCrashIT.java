@@ -34,13 +34,13 @@ import org.junit.jupiter.api.io.TempDir;
  * groups: nothing acknowledged is lost, and no group ever has two virtual machines at work.
  *
  * <p>{@code -Ddfra.full=true} kills 200 times, half of them in each of two phoenixes that run side
- * by side; otherwise one phoenix is killed 6 times. {@code -Ddfra.seed=n} repeats a run.
+ * by side; otherwise one phoenix is killed 3 times. {@code -Ddfra.seed=n} repeats a run.
  */
 class PhoenixCrashIT {
 
   private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final int PHOENIXES = FULL ? 2 : 1;
-  private static final int KILLS = FULL ? 100 : 6; // of each
+  private static final int KILLS = FULL ? 100 : 3; // of each
 
   private static final List<String> GROUPS = List.of("left", "right");
 

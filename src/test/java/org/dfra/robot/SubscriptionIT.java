@@ -30,16 +30,26 @@ import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.sim.device.M12Emulator;
 import org.dfra.sim.device.M12Settings;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A client listens to a receiver whose group, a process of its own, is killed and stopped. */
+/**
+ * A client listens to a receiver whose group, a process of its own, is killed and stopped.
+ *
+ * <p>Short: the tests share the robot. {@code dfra.full}: each has its own.
+ */
 @Timeout(120)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class SubscriptionIT {
 
+  private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final String HOST = "127.0.0.1";
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
@@ -49,25 +59,30 @@ class SubscriptionIT {
   /** The requirement for a silent peer. */
   private static final Duration REPORTED = Duration.ofSeconds(3);
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
+
+  private static LivingPhoenix phoenix;
+  private static M12Emulator receiver;
+  private static JiniModuleDirectory directory;
+  private static GPSSensor gps;
+  private static boolean isUp;
 
   private final StallProbe probe = StallProbe.start();
-
-  private LivingPhoenix phoenix;
-  private M12Emulator receiver;
-  private JiniModuleDirectory directory;
-  private GPSSensor gps;
   private final List<Delivery> heard = new CopyOnWriteArrayList<>();
 
   @BeforeEach
   void bringUp() throws Exception {
+    if (isUp) {
+      return;
+    }
+    Path own = Files.createTempDirectory(folder, "robot");
     receiver =
         new M12Emulator(
             M12Settings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
     receiver.start();
-    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    phoenix = LivingPhoenix.start(own.resolve("phoenix"));
     int port = FreePorts.next();
-    Path xml = folder.resolve("robot.xml");
+    Path xml = own.resolve("robot.xml");
     Files.writeString(
         xml,
         """
@@ -89,17 +104,29 @@ class SubscriptionIT {
     directory = new JiniModuleDirectory(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
     gps = directory.findFirst(ModuleQuery.of(GPSSensor.class), PATIENCE).orElseThrow().module();
     assertThat(gps.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
+    isUp = true;
   }
 
   @AfterEach
   void takeDown() throws Exception {
     probe.close();
-    directory.close();
-    phoenix.close();
-    receiver.close();
+    if (FULL) {
+      end();
+    }
+  }
+
+  @AfterAll
+  static void end() throws Exception {
+    if (isUp) {
+      isUp = false;
+      directory.close();
+      phoenix.close();
+      receiver.close();
+    }
   }
 
   @Test
+  @Order(1) // it counts the activations
   void fixesComeAgainAfterKillMinusNineWithoutAnyClientCode() throws Exception {
     try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10));
         ModuleLease lease = gps.use(Duration.ofSeconds(30))) {
@@ -137,6 +164,7 @@ class SubscriptionIT {
   }
 
   @Test
+  @Order(2)
   void aStoppedServerIsNoticedAndGoesOnWhenItCan() throws Exception {
     try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10))) {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 1);
