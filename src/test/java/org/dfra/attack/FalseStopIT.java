@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 /**
  * A fake proxy is registered under the drive's service ID in its own registrar, and answers every
  * stop with "stopped". Whoever stops the robot from another computer, by its registrar and its
- * phoenix, halts the real wheels and is told the truth. The tests share the robot.
+ * phoenix, halts the real wheels and reports what is true. The tests share the robot.
  */
 @Timeout(180)
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)

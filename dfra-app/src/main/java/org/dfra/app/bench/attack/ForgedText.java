@@ -8,14 +8,13 @@ import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.app.figure.Figure;
 import org.dfra.persona.Attributes;
 import org.dfra.river.entry.Entries;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Registers a module and a robot all of whose texts would control a terminal, and checks what an
  * operator's commands print meanwhile. The commands run on the attacker's core: their virtual
  * machines would disturb the robot more than the attack does.
  */
-public final class ForgedText extends AttackTask {
+public final class ForgedText extends OperatorTask {
 
   private static final long LEASE_MILLIS = 30_000;
   private static final String SHOWN = "\\u009b2"; // of HostileModule's texts, made printable
@@ -29,17 +28,11 @@ public final class ForgedText extends AttackTask {
   private final Random random = new Random(66);
   private final ServiceID module = new ServiceID(random.nextLong(), random.nextLong());
   private final ServiceID robot = new ServiceID(random.nextLong(), random.nextLong());
-  private @Nullable OperatorTerminal terminal;
   private boolean isRegistered;
   private int next;
 
   /** As every task is made. */
   public ForgedText() {}
-
-  @Override
-  protected void prepare(Target target) {
-    terminal = new OperatorTerminal(target);
-  }
 
   @Override
   protected void attack(Target target) throws Exception {
@@ -62,14 +55,6 @@ public final class ForgedText extends AttackTask {
     if (isRegistered) {
       terminal().requireShown(SHOWN);
     }
-  }
-
-  private OperatorTerminal terminal() {
-    OperatorTerminal made = terminal;
-    if (made == null) {
-      throw new IllegalStateException("not prepared");
-    }
-    return made;
   }
 
   @Override

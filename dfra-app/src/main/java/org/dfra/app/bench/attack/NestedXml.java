@@ -18,7 +18,6 @@ import org.dfra.app.figure.Figure;
 import org.dfra.core.config.RobotXml;
 import org.dfra.river.entry.Entries;
 import org.dfra.sim.world.file.WorldXml;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Gives those who read XML a robot and a world whose elements are nested 200 000 deep, and measures
@@ -29,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * with U+009B in the name, which begins a terminal's control sequence, and lists it as an operator
  * does.
  */
-public final class NestedXml extends AttackTask {
+public final class NestedXml extends OperatorTask {
 
   private static final int DEPTH = 200_000;
   private static final double MOST_CPU = 1; // s for each file
@@ -43,7 +42,6 @@ public final class NestedXml extends AttackTask {
   private final ServiceID effector = new ServiceID(random.nextLong(), random.nextLong());
   private Path robot = Path.of("");
   private Path world = Path.of("");
-  private @Nullable OperatorTerminal terminal;
   private long longest; // nanoseconds of CPU time
   private int accepted;
 
@@ -55,7 +53,7 @@ public final class NestedXml extends AttackTask {
   protected void prepare(Target target) throws IOException {
     var unused = WorldXml.read(HonestRobot.WORLD);
     var unusedEither = FieldRobot.describe(HonestRobot.XML, HonestRobot.NAME, Map.of());
-    terminal = new OperatorTerminal(target);
+    super.prepare(target);
     Path folder = target.folder();
     robot =
         Files.writeString(
@@ -105,14 +103,6 @@ public final class NestedXml extends AttackTask {
       terminal().run("module", "info", ROBOT + "/drive");
       terminal().requireShown(SHOWN);
     }
-  }
-
-  private OperatorTerminal terminal() {
-    OperatorTerminal made = terminal;
-    if (made == null) {
-      throw new IllegalStateException("not prepared");
-    }
-    return made;
   }
 
   @Override

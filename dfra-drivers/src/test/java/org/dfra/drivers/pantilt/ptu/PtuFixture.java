@@ -58,7 +58,7 @@ abstract class PtuFixture {
   final ScriptedLinks links = new ScriptedLinks(URL);
   final Map<String, String> answers = new HashMap<>(ANSWERS);
   ScriptedLink link = new ScriptedLink(URL);
-  int heard; // pieces that the driver wrote
+  int received; // pieces that the driver wrote
   final PtuImpl unit = driver(Map.of("link", URL, "mount_x", "0.2"));
 
   @BeforeEach
@@ -81,7 +81,7 @@ abstract class PtuFixture {
 
   /** Lets time pass, each step looked at by the driver, until it says something. */
   void awaitWords() {
-    while (link.written().size() <= heard) {
+    while (link.written().size() <= received) {
       step(20);
     }
   }
@@ -96,7 +96,7 @@ abstract class PtuFixture {
     link.awaitLooked();
   }
 
-  /** Is the unit until everything is told that is asked first, or something is told wrong. */
+  /** Is the unit until everything is answered that is asked first, or an answer is wrong. */
   void setUp() {
     for (String setting : List.of("ED ", "FT ", "I ")) {
       assertThat(next()).isEqualTo(setting);
@@ -121,8 +121,8 @@ abstract class PtuFixture {
   }
 
   String next() {
-    await().pollInterval(Duration.ofMillis(1)).until(() -> link.written().size() > heard);
-    return new String(link.written().get(heard++), StandardCharsets.US_ASCII);
+    await().pollInterval(Duration.ofMillis(1)).until(() -> link.written().size() > received);
+    return new String(link.written().get(received++), StandardCharsets.US_ASCII);
   }
 
   void say(String text) {

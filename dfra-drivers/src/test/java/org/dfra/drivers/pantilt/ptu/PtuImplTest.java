@@ -185,7 +185,7 @@ class PtuImplTest extends PtuFixture {
     awaitReadiness(Readiness.INITIALIZING);
     assertThatThrownBy(unit::panTilt).hasMessageContaining("the device is lost");
     link = second;
-    heard = 0;
+    received = 0;
     await()
         .until(
             () -> {
