@@ -163,7 +163,7 @@ class DriveIT {
       phoenix.note();
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
     }
-    assertThat(drive.awaitReadiness(PATIENCE).serves()).isTrue();
+    WheeledRobot.patiently().until(() -> drive.awaitReadiness(PATIENCE).serves());
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
       robot.awaitFullSpeed();
     }

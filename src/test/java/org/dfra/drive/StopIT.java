@@ -132,7 +132,7 @@ class StopIT {
 
     phoenix.kill("eta.wheels");
     phoenix.note();
-    assertThat(drive.awaitReadiness(PATIENCE).serves()).isTrue();
+    WheeledRobot.patiently().until(() -> drive.awaitReadiness(PATIENCE).serves());
     phoenix.note();
     StopState kept = drive.stopState();
     assertThat(kept.latched()).as("in the next incarnation").isTrue();

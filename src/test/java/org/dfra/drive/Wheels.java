@@ -1,6 +1,5 @@
 package org.dfra.drive;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
@@ -8,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
+import org.dfra.core.time.StallProbe;
 import org.dfra.sim.body.BatteryBody.Charge;
 import org.dfra.sim.body.WheelsOnBlocks;
 import org.dfra.sim.device.DeviceEmulator;
@@ -22,7 +22,10 @@ import org.jspecify.annotations.Nullable;
 public final class Wheels implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration STANDING = Duration.ofMillis(500);
   private static final InstantSource CLOCK = InstantSource.system();
+
+  private final StallProbe probe = StallProbe.start();
 
   private final WheelsOnBlocks body = new WheelsOnBlocks(CLOCK.instant());
   private final RflexDevice controller = new RflexDevice(body, time -> new Charge(25.2, 2, 0.75));
@@ -65,7 +68,8 @@ public final class Wheels implements AutoCloseable {
     Duration stood =
         Duration.between(lastMotion(), Objects.requireNonNull(standingSince(), "they move"));
     System.out.printf("the wheels stood %.3f s after the last command%n", stood.toNanos() / 1e9);
-    assertThat(stood).isLessThanOrEqualTo(Duration.ofMillis(500));
+    Duration ago = Duration.between(lastMotion(), CLOCK.instant());
+    probe.past(ago, stood).requireWithin("from the last command to wheels that stand", STANDING);
   }
 
   /** Since when they stand; null while they turn. */
@@ -75,6 +79,7 @@ public final class Wheels implements AutoCloseable {
 
   @Override
   public void close() {
+    probe.close();
     emulator.close();
   }
 }

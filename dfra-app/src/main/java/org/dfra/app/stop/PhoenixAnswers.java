@@ -64,19 +64,19 @@ final class PhoenixAnswers {
     }
   }
 
-  private final Duration patience;
+  private final Repetition repetition;
   private final Executor threads;
   private final Consumer<StopReport> reported;
   private final Map<Address, Asked> asked = new LinkedHashMap<>(); // guarded by this
   private @Nullable Address unasked; // the first of those that are too many; guarded by this
 
   /**
-   * @param patience for one of two tries
+   * @param repetition how often an order is given that is not answered, and how long each may take
    * @param threads runs each order at once
    * @param reported is given each report of a configured phoenix as it comes, by any thread
    */
-  PhoenixAnswers(Duration patience, Executor threads, Consumer<StopReport> reported) {
-    this.patience = patience;
+  PhoenixAnswers(Repetition repetition, Executor threads, Consumer<StopReport> reported) {
+    this.repetition = repetition;
     this.threads = threads;
     this.reported = reported;
   }
@@ -99,14 +99,13 @@ final class PhoenixAnswers {
       return;
     }
     Asked one = new Asked(address, isConfigured, order);
-    one.last = twice(one);
+    one.last = repeatedly(one);
     asked.put(address, one);
   }
 
-  private CompletableFuture<Kind> twice(Asked one) {
-    return once(one)
-        .exceptionallyCompose(
-            failure -> isAbsent(failure) ? CompletableFuture.failedFuture(failure) : once(one))
+  private CompletableFuture<Kind> repeatedly(Asked one) {
+    return repetition
+        .of(() -> once(one), PhoenixAnswers::isAbsent)
         .exceptionally(
             failure -> {
               LOG.debug("No phoenix has reported.", failure);
@@ -115,11 +114,7 @@ final class PhoenixAnswers {
   }
 
   private static boolean isAbsent(Throwable failure) {
-    Throwable cause = failure;
-    while (cause instanceof CompletionException && cause.getCause() != null) {
-      cause = cause.getCause();
-    }
-    return Refusal.isProvenBy(cause);
+    return Refusal.isProvenBy(Repetition.cause(failure));
   }
 
   private CompletableFuture<Kind> once(Asked one) {
@@ -142,7 +137,7 @@ final class PhoenixAnswers {
               }
             },
             threads)
-        .orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
+        .orTimeout(repetition.each().toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** Is done when every phoenix that was asked by now has answered, or will not. */
@@ -155,7 +150,7 @@ final class PhoenixAnswers {
   synchronized void askAgain() {
     for (Asked one : asked.values()) {
       if (!one.reports.isEmpty()) {
-        one.last = twice(one);
+        one.last = repeatedly(one);
       }
     }
   }

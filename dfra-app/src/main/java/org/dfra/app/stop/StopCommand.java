@@ -57,11 +57,12 @@ import picocli.CommandLine.Spec;
       "",
       "It asks for no lease and is never refused; the commander loses the command.",
       "The phoenix of each known robot is ordered at once to stop all that it runs.",
-      "Each effector that is found is called at once too, and once more where it does",
-      "not answer. The stop outlives every process. Releasing it moves nothing and",
-      "brings no lease back. Ends with 0 only if every effector that is known was",
-      "stopped, with 3 if none is known, with 4 if one did not answer or its phoenix",
-      "does not confirm what its proxy says.",
+      "Each effector that is found is called at once too. What does not answer is",
+      "called again: once, and until the time of --wait is over. The stop outlives",
+      "every process. Releasing it moves nothing and brings no lease back.",
+      "Ends with 0 only if every effector that is known was stopped, with 3 if none",
+      "is known, with 4 if one did not answer or its phoenix does not confirm what",
+      "its proxy says.",
       "It is no replacement for the robot's own emergency stop."
     })
 public final class StopCommand implements Callable<Integer> {
@@ -101,6 +102,7 @@ public final class StopCommand implements Callable<Integer> {
   private final Set<Outcome> said = new HashSet<>(); // guarded by itself
   private final long begun = System.nanoTime();
   private String by = "";
+  private Duration patience = Duration.ZERO;
 
   /** An effector as programs are told of it. */
   record Told(
@@ -126,10 +128,11 @@ public final class StopCommand implements Callable<Integer> {
           spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
     }
     by = requester(System.getProperty("user.name", "somebody"), options.wantedHost());
+    patience = options.urgentPatience();
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED,
-            StopRound.TRY,
+            new Repetition(StopRound.TRY, this::isTimeLeft),
             this::say,
             new StopMerge(by, this::running))) {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
@@ -189,6 +192,11 @@ public final class StopCommand implements Callable<Integer> {
     }
     StopState now = effector.emergencyStop(by);
     return Outcome.ofStop(path, running(), now);
+  }
+
+  /** Whether what does not answer is called again. */
+  private boolean isTimeLeft() {
+    return running().compareTo(patience) < 0;
   }
 
   /** For how long this command has run. */
@@ -277,7 +285,7 @@ public final class StopCommand implements Callable<Integer> {
         };
     try (EffectorSearch search =
         options.urgentSearch(all ? List.of() : robots, listener, unasked::add)) {
-      List<String> silent = search.awaitRead(options.urgentPatience());
+      List<String> silent = search.awaitRead(patience);
       List<String> named = options.namedLocators();
       List<Outcome> unused = round.outcomes(); // the search is open while its proxies are called
       unasked.addAll(search.unread());

@@ -27,7 +27,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other,
  * and thousands that are silent, which anybody may register, hold up none for long ({@link
- * FairCalls}). Where a call fails or is not answered in time, it is made once more.
+ * FairCalls}). Where a call fails or is not answered in time, it is made again ({@link
+ * Repetition}).
  *
  * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
  * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what
@@ -38,7 +39,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class StopRound implements AutoCloseable {
 
-  /** For one of two tries. A stop waits for its driver for half a second, and writes to a disk. */
+  /** For one try. A stop waits for its driver for half a second, and writes to a disk. */
   static final Duration TRY = Duration.ofSeconds(3);
 
   /** How often phoenixes are asked again whose groups have not confirmed. */
@@ -50,7 +51,7 @@ final class StopRound implements AutoCloseable {
   private record Listing(UUID id, UUID registrar) {}
 
   private final Result failed;
-  private final Duration patience;
+  private final Repetition repetition;
   private final Consumer<Outcome> well;
   private final StopMerge merge;
   private final ExecutorService threads = Executors.newCachedThreadPool(StopRound::thread);
@@ -65,18 +66,18 @@ final class StopRound implements AutoCloseable {
 
   /**
    * @param failed what has become of an effector that was not reached
-   * @param patience for one of two tries
+   * @param repetition how often a call is made that is not answered, and how long each may take
    * @param well is given the outcome of each effector at once that all is well with, by any thread;
    *     not of those that only {@link #callLocal} reaches
    * @param merge decides what the answers mean
    */
-  StopRound(Result failed, Duration patience, Consumer<Outcome> well, StopMerge merge) {
+  StopRound(Result failed, Repetition repetition, Consumer<Outcome> well, StopMerge merge) {
     this.failed = failed;
-    this.patience = patience;
+    this.repetition = repetition;
     this.well = well;
     this.merge = merge;
-    this.listedCalls = new FairCalls(FairCalls.Limits.USUAL, patience);
-    this.phoenixes = new PhoenixAnswers(patience, threads, this::publish);
+    this.listedCalls = new FairCalls(FairCalls.Limits.USUAL, repetition.each());
+    this.phoenixes = new PhoenixAnswers(repetition, threads, this::publish);
   }
 
   private static Thread thread(Runnable task) {
@@ -132,7 +133,7 @@ final class StopRound implements AutoCloseable {
     Listing listing = new Listing(id, registrar);
     if (!listed.containsKey(listing)) {
       String robot = StopMerge.robotOf(path);
-      Asked asked = new Asked(path, twice(path, () -> listedCalls.call(registrar, robot, call)));
+      Asked asked = new Asked(path, repeatedly(path, () -> listedCalls.call(registrar, robot, call)));
       listed.put(listing, asked);
       CompletableFuture<Void> unused =
           asked
@@ -184,16 +185,13 @@ final class StopRound implements AutoCloseable {
   synchronized void callLocal(String path, Callable<Outcome> call) {
     local
         .computeIfAbsent(path, unused -> new ArrayList<>())
-        .add(new Asked(path, twice(path, () -> once(call))));
+        .add(new Asked(path, repeatedly(path, () -> once(call))));
   }
 
-  private CompletableFuture<Outcome> twice(String path, Supplier<CompletableFuture<Outcome>> once) {
-    return once.get()
-        .exceptionallyCompose(
-            failure ->
-                cause(failure) instanceof FairCalls.NotCalledException
-                    ? CompletableFuture.failedFuture(failure)
-                    : once.get())
+  private CompletableFuture<Outcome> repeatedly(
+      String path, Supplier<CompletableFuture<Outcome>> once) {
+    return repetition
+        .of(once, failure -> Repetition.cause(failure) instanceof FairCalls.NotCalledException)
         .exceptionally(failure -> new Outcome(path, failed, null, null, reason(failure)));
   }
 
@@ -207,25 +205,19 @@ final class StopRound implements AutoCloseable {
             answer.completeExceptionally(e);
           }
         });
-    return answer.orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
+    return answer.orTimeout(repetition.each().toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** One line: the causes of remote failures are told on lines of their own. */
   private String reason(Throwable failure) {
-    Throwable cause = cause(failure);
+    Throwable cause = Repetition.cause(failure);
     if (cause instanceof TimeoutException) {
-      return "it did not answer within " + patience.toMillis() / 1e3 + " s, twice";
+      return "it did not answer within "
+          + repetition.each().toMillis() / 1e3
+          + " s, nor when it was called again";
     }
     @Nullable String message = cause.getMessage();
     return message == null ? cause.toString() : message.lines().findFirst().orElse("").strip();
-  }
-
-  private static Throwable cause(Throwable failure) {
-    Throwable cause = failure;
-    while (cause instanceof CompletionException && cause.getCause() != null) {
-      cause = cause.getCause();
-    }
-    return cause;
   }
 
   /**

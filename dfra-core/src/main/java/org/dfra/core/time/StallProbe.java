@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.DoubleSupplier;
@@ -15,9 +16,11 @@ import java.util.function.LongSupplier;
  *
  * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
  * that is a <em>stall</em>, if it is more than 5 ms: the computer was suspended, swapped, or its
- * host gave it no processor. At the same pace the thread reads how many threads of the whole
- * computer want to run. Where they are more than the processors, each program runs slower by that
- * ratio, without any stall. {@link Timing} says exactly how a missed bound is judged by both.
+ * host gave it no processor. What the host gives to others in slices too short to be seen so, Linux
+ * counts as <em>steal</em> time: that is a stall too, where it is longer than the one that was seen.
+ * At the same pace the thread reads how many threads of the whole computer want to run. Where they
+ * are more than the processors, each program runs slower by that ratio, without any stall. {@link
+ * Timing} says exactly how a missed bound is judged by both.
  *
  * <pre>
  *   try (StallProbe probe = StallProbe.start()) {
@@ -26,6 +29,8 @@ import java.util.function.LongSupplier;
  *     watch.stop().requireWithin("listening again after kill -9", Duration.ofSeconds(5));
  *   }
  * </pre>
+ *
+ * <p>What was over before anybody knew that it is to be judged is asked for by {@link #past}.
  *
  * <p>The thread is a daemon; {@link #start()} starts it and {@link #close()} ends it.
  */
@@ -39,30 +44,60 @@ public final class StallProbe implements AutoCloseable {
   /** A timer may be late by this without anything being wrong, in nanoseconds. */
   private static final long USUAL_LATENESS_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
 
+  /** So many measurements are kept for {@link #past}: {@link #MEMORY} at the usual pace. */
+  private static final int KEPT = 4096;
+
+  /** How far back {@link #past} sees at least. */
+  public static final Duration MEMORY = PERIOD.multipliedBy(KEPT);
+
   private static final Path LOAD = Path.of("/proc/loadavg");
+  private static final Path PROCESSORS = Path.of("/proc/stat");
+
+  /** Of the times in hundredths of a second in its first line, of all processors: the steal. */
+  private static final int STEAL = 8;
+
+  private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
   private final LongSupplier nanos;
   private final DoubleSupplier load;
+  private final LongSupplier stolen;
   private final Thread thread = new Thread(this::run, "dfra-stall-probe");
 
   private volatile boolean closed;
 
   // Guarded by this.
   private long due;
+  private long stolenBefore;
   private long stalledNanos;
   private double loadSum;
   private long measurements;
 
-  StallProbe(LongSupplier nanos, DoubleSupplier load) {
+  /** The last {@value #KEPT} of them, each at its number modulo that; guarded by this. */
+  private final long[] times = new long[KEPT];
+
+  private final long[] stalls = new long[KEPT];
+  private final double[] loads = new double[KEPT];
+
+  /**
+   * For tests: by another time, load and steal.
+   *
+   * @param stolen for how long the host has kept a processor for others, on average over the
+   *     processors, nanoseconds since any time
+   */
+  StallProbe(LongSupplier nanos, DoubleSupplier load, LongSupplier stolen) {
     this.nanos = nanos;
     this.load = load;
+    this.stolen = stolen;
+    this.stolenBefore = stolen.getAsLong();
     this.due = nanos.getAsLong() + PERIOD_NANOS;
     thread.setDaemon(true);
   }
 
   /** Starts to measure, until it is closed. */
   public static StallProbe start() {
-    StallProbe probe = new StallProbe(System::nanoTime, StallProbe::runnablePerProcessor);
+    StallProbe probe = 
+        new StallProbe(
+            System::nanoTime, StallProbe::runnablePerProcessor, StallProbe::stolenPerProcessor);
     probe.thread.start();
     return probe;
   }
@@ -97,10 +132,58 @@ public final class StallProbe implements AutoCloseable {
   /** One measurement, at the end of a sleep. */
   synchronized void measure() {
     long now = nanos.getAsLong();
-    stalledNanos += stallAt(now);
-    loadSum += load.getAsDouble();
+    int place = (int) (measurements % KEPT);
+    times[place] = now;
+    long steal = stolen.getAsLong();
+    stalls[place] = Math.max(stallAt(now), steal - stolenBefore);
+    stolenBefore = steal;
+    loads[place] = load.getAsDouble();
+    stalledNanos += stalls[place];
+    loadSum += loads[place];
     measurements++;
     due = now + PERIOD_NANOS;
+  }
+
+  /**
+   * What was measured in a span of time that is over.
+   *
+   * @param ago how long before now it began; not longer than {@link #MEMORY}
+   * @param took how long it lasted, not below 0; a part that is still to come counts as unmeasured
+   * @throws IllegalArgumentException if it began longer ago than that, or lasted less than 0
+   */
+  public synchronized Timing past(Duration ago, Duration took) {
+    if (ago.compareTo(MEMORY) > 0 || took.isNegative()) {
+      throw new IllegalArgumentException(
+          "a span of "
+              + took
+              + " that began "
+              + ago
+              + " ago; ask for one of at least PT0S that began at most "
+              + MEMORY
+              + " ago");
+    }
+    long now = nanos.getAsLong();
+    long begin = now - ago.toNanos();
+    long end = begin + took.toNanos();
+    long stalled = closed ? 0 : overlap(begin, end, now, stallAt(now));
+    double sum = 0;
+    int count = 0;
+    for (long i = Math.max(0, measurements - KEPT); i < measurements; i++) {
+      int place = (int) (i % KEPT);
+      stalled += overlap(begin, end, times[place], stalls[place]);
+      if (times[place] - begin >= 0 && times[place] - PERIOD_NANOS - end <= 0) {
+        sum += loads[place]; // also of the measurement right after a span of milliseconds
+        count++;
+      }
+    }
+    return new Timing(took, Duration.ofNanos(stalled), count == 0 ? 1 : sum / count);
+  }
+
+  /** How much of a stall that ended at {@code over} was between {@code begin} and {@code end}. */
+  private static long overlap(long begin, long end, long over, long stall) {
+    long from = Math.max(0, over - stall - begin);
+    long to = Math.min(end - begin, over - begin);
+    return Math.max(0, to - from);
   }
 
   private long stallAt(long now) {
@@ -118,6 +201,20 @@ public final class StallProbe implements AutoCloseable {
       return runnable / Runtime.getRuntime().availableProcessors();
     } catch (IOException | IndexOutOfBoundsException | NumberFormatException e) {
       return 1; // not Linux: only stalls are seen
+    }
+  }
+
+  private static long stolenPerProcessor() {
+    try {
+      // cpu  1493296 0 295974 1011717 8435 0 19100 4626 0 0, then cpu0 and so on
+      List<String> processors =
+          Files.readAllLines(PROCESSORS).stream().filter(line -> line.startsWith("cpu")).toList();
+      String[] all = processors.isEmpty() ? new String[0] : processors.get(0).split(" +");
+      return all.length > STEAL && processors.size() > 1
+          ? Long.parseLong(all[STEAL]) * TICK_NANOS / (processors.size() - 1)
+          : 0;
+    } catch (IOException | NumberFormatException e) {
+      return 0; // not Linux: only what the thread itself sees
     }
   }
 

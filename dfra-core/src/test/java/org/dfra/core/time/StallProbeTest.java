@@ -17,7 +17,8 @@ class StallProbeTest {
 
   private final AtomicLong now = new AtomicLong(1_000_000_000L);
   private final AtomicReference<Double> load = new AtomicReference<>(0.5);
-  private final StallProbe probe = new StallProbe(now::get, load::get);
+  private final AtomicLong stolen = new AtomicLong(7_000_000_000L);
+  private final StallProbe probe = new StallProbe(now::get, load::get, stolen::get);
 
   private void measureFor(Duration time) {
     for (long i = 0; i < time.dividedBy(StallProbe.PERIOD); i++) {
@@ -142,6 +143,47 @@ class StallProbeTest {
       probe.measure();
     }
     assertThat(watch.stop().stalled()).isZero();
+  }
+
+  @Test
+  void whatTheHostStealsInShortSlicesIsAStallToo() {
+    StallProbe.Stopwatch watch = probe.stopwatch();
+    for (int i = 0; i < 100; i++) {
+      stolen.addAndGet(Duration.ofMillis(5).toNanos());
+      measureFor(StallProbe.PERIOD);
+    }
+    assertThat(watch.stop().stalled()).isEqualTo(Duration.ofMillis(500));
+    stolen.addAndGet(Duration.ofSeconds(1).toNanos());
+    pass(Duration.ofSeconds(2));
+    probe.measure();
+    assertThat(watch.stop().stalled()).as("counted once").isEqualTo(Duration.ofMillis(2480));
+  }
+
+  /** Four seconds, a stall of 1.98 s, four seconds; and what was asked for is long over. */
+  @Test
+  void seesWhatWasMeasuredInASpanThatIsOver() {
+    measureFor(Duration.ofSeconds(4));
+    load.set(3.0);
+    pass(Duration.ofSeconds(2));
+    probe.measure();
+    load.set(1.5);
+    measureFor(Duration.ofSeconds(4));
+    Duration second = Duration.ofSeconds(1);
+    assertThat(probe.past(Duration.ofSeconds(6), second).stalled())
+        .as("the first half of the stall, and no more")
+        .isEqualTo(Duration.ofMillis(980));
+    assertThat(probe.past(Duration.ofMillis(5500), second).stalled()).isEqualTo(second);
+    assertThat(probe.past(Duration.ofMillis(4500), second))
+        .isEqualTo(new Timing(second, Duration.ofMillis(500), (3 + 26 * 1.5) / 27));
+    assertThat(probe.past(Duration.ofSeconds(3), second))
+        .isEqualTo(new Timing(second, Duration.ZERO, 1.5));
+    assertThat(probe.past(Duration.ofSeconds(9), second))
+        .isEqualTo(new Timing(second, Duration.ZERO, 0.5));
+    pass(Duration.ofSeconds(2));
+    assertThat(probe.past(second, second).stalled()).as("under way").isEqualTo(second);
+    assertThatThrownBy(() -> probe.past(Duration.ofDays(1), second))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("began PT24H ago");
   }
 
   @Test

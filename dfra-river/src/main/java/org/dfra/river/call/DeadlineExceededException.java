@@ -16,7 +16,7 @@ public final class DeadlineExceededException extends RemoteException implements 
    * @param deadline how long the answer was awaited
    * @param mayHaveRun whether the server may have carried out the call
    */
-  DeadlineExceededException(String call, Duration deadline, boolean mayHaveRun) {
+  public DeadlineExceededException(String call, Duration deadline, boolean mayHaveRun) {
     super(
         call
             + " got no answer within "

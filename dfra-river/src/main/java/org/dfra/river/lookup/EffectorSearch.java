@@ -64,6 +64,9 @@ public final class EffectorSearch implements AutoCloseable {
 
   private boolean closed; // guarded by readings
 
+  /** Until then lookup services that do not answer are asked again, by {@link System#nanoTime}. */
+  private volatile @Nullable Long findEnd; // once somebody waits
+
   /**
    * Begins to look.
    *
@@ -118,11 +121,17 @@ public final class EffectorSearch implements AutoCloseable {
     synchronized (readings) {
       if (!closed && !readings.containsKey(registrar)) {
         RegistrarReading reading =
-            new RegistrarReading(registrar, wanted, known, listener, loader, this::changed);
+            new RegistrarReading(
+                registrar, wanted, known, listener, loader, this::changed, this::isTimeLeft);
         readings.put(registrar, reading);
         reading.start();
       }
     }
+  }
+
+  private boolean isTimeLeft() {
+    @Nullable Long end = findEnd;
+    return end != null && end - System.nanoTime() > 0;
   }
 
   private void changed() {
@@ -135,7 +144,8 @@ public final class EffectorSearch implements AutoCloseable {
    * Waits until everything at hand was read: at every locator a lookup service was found, and each
    * that was found was read to its end. With groups this takes all the patience, since multicast
    * never says that everybody has answered; and 3 s longer where a lookup service is not read to
-   * its end by then.
+   * its end by then. What a lookup service does not answer it is asked again, twice in all, and
+   * until the patience is at its end.
    *
    * @param patience how long lookup services may take to be found
    * @return the locators at which no lookup service was found
@@ -143,6 +153,7 @@ public final class EffectorSearch implements AutoCloseable {
   public List<String> awaitRead(Duration patience) throws InterruptedException {
     long end = System.nanoTime() + patience.toNanos();
     long readEnd = end + READING.toNanos();
+    findEnd = end;
     synchronized (readings) {
       while (true) {
         List<String> missing = missing();

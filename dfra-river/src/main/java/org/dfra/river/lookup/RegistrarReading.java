@@ -9,6 +9,7 @@ import java.util.UUID;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.function.BooleanSupplier;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
@@ -19,6 +20,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.flow.effector.Effector;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.ModuleEntry;
 import org.jspecify.annotations.Nullable;
@@ -35,6 +37,9 @@ final class RegistrarReading implements AutoCloseable {
   private static final int THREADS = 4;
   private static final int LIMIT = 64;
 
+  /** How often each question is asked at least, if it is not answered. */
+  private static final int TRIES = 2;
+
   /** Effectors of one name on one robot that are read; an honest robot has one. */
   private static final int LIMIT_OF_ONE_NAME = 8;
 
@@ -44,6 +49,7 @@ final class RegistrarReading implements AutoCloseable {
   private final List<String> known;
   private final EffectorSearch.Listener listener;
   private final Runnable changed;
+  private final BooleanSupplier isTimeLeft;
   private final ExecutorService threads;
   private final Set<String> begun = new LinkedHashSet<>(); // robots; guarded by this
   private final Set<String> faults = new LinkedHashSet<>(); // guarded by this
@@ -54,6 +60,7 @@ final class RegistrarReading implements AutoCloseable {
    * @param known robots that are read first
    * @param loader context class loader of the reading threads
    * @param changed is called when it was read to its end
+   * @param isTimeLeft whether a question that was not answered twice is asked again
    */
   RegistrarReading(
       ServiceRegistrar registrar,
@@ -61,12 +68,14 @@ final class RegistrarReading implements AutoCloseable {
       List<String> known,
       EffectorSearch.Listener listener,
       @Nullable ClassLoader loader,
-      Runnable changed) {
+      Runnable changed,
+      BooleanSupplier isTimeLeft) {
     this.registrar = registrar;
     this.wanted = wanted;
     this.known = known;
     this.listener = listener;
     this.changed = changed;
+    this.isTimeLeft = isTimeLeft;
     String name = "dfra-search-" + registrar.getServiceID();
     this.threads =
         Executors.newFixedThreadPool(
@@ -102,7 +111,7 @@ final class RegistrarReading implements AutoCloseable {
       threads.execute(
           () -> {
             try {
-              question.ask();
+              askAgainAndAgain(question);
             } catch (RemoteException | RuntimeException | Error e) { // the others are asked still
               fault("it did not answer (" + e.getClass().getSimpleName() + ")");
             } finally {
@@ -111,6 +120,22 @@ final class RegistrarReading implements AutoCloseable {
           });
     } catch (RejectedExecutionException e) { // closed
       answered();
+    }
+  }
+
+  /** An overloaded computer, this one or the other, may need more time than a call has. */
+  private void askAgainAndAgain(Question question) throws RemoteException {
+    for (int tries = 1; ; tries++) {
+      try {
+        question.ask();
+        return;
+      } catch (RemoteException e) {
+        boolean isSilence = e instanceof DeadlineExceededException;
+        boolean isTriedAgain = tries < TRIES || (isSilence && isTimeLeft.getAsBoolean());
+        if (!isTriedAgain || threads.isShutdown()) {
+          throw e;
+        }
+      }
     }
   }
 

@@ -3,18 +3,23 @@ package org.dfra.river.lookup;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,6 +29,7 @@ import org.junit.jupiter.api.Timeout;
 class RegistrarReadingTest {
 
   private final BlockingQueue<ListedEffector> found = new LinkedBlockingQueue<>();
+  private final Semaphore over = new Semaphore(0);
 
   private final EffectorSearch.Listener listener =
       new EffectorSearch.Listener() {
@@ -36,8 +42,14 @@ class RegistrarReadingTest {
         }
       };
 
-  /** One that claims the same service ID as every other one, and lists one effector. */
-  private static ServiceRegistrar registrar() {
+  private final AtomicInteger lookups = new AtomicInteger();
+
+  /**
+   * One that claims the same service ID as every other one, and lists one effector.
+   *
+   * @param unanswered how often it does not answer when it is asked for effectors
+   */
+  private ServiceRegistrar registrar(int unanswered) {
     ModuleAttributes drive =
         new ModuleAttributes(
             "atrv1",
@@ -58,13 +70,70 @@ class RegistrarReadingTest {
             (proxy, method, args) ->
                 switch (method.getName()) {
                   case "getServiceID" -> new ServiceID(0, 7);
-                  case "lookup" -> new ServiceMatches(new ServiceItem[] {item}, 1);
+                  case "lookup" -> {
+                    if (lookups.incrementAndGet() <= unanswered) {
+                      throw new DeadlineExceededException("lookup", Duration.ofSeconds(2), true);
+                    }
+                    yield new ServiceMatches(new ServiceItem[] {item}, 1);
+                  }
                   default -> null;
                 });
   }
 
   private RegistrarReading reading() {
-    return new RegistrarReading(registrar(), List.of("atrv1"), List.of(), listener, null, () -> {});
+    return reading(0, () -> false);
+  }
+
+  private RegistrarReading reading(int unanswered, BooleanSupplier isTimeLeft) {
+    return new RegistrarReading(
+        registrar(unanswered),
+        List.of("atrv1"),
+        List.of(),
+        listener,
+        null,
+        over::release,
+        isTimeLeft);
+  }
+
+  private void awaitEnd(RegistrarReading reading) throws InterruptedException {
+    while (!reading.isOver()) {
+      assertThat(over.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+    }
+  }
+
+  @Test
+  void whatIsNotAnsweredIsAskedTwice() throws Exception {
+    try (RegistrarReading reading = reading(1, () -> false)) {
+      reading.start();
+      assertThat(found.poll(30, TimeUnit.SECONDS)).isNotNull();
+      awaitEnd(reading);
+      assertThat(reading.unread()).isEmpty();
+    }
+  }
+
+  /** Of an overloaded computer, for whose answers the operator is willing to wait. */
+  @Test
+  void whatIsNotAnsweredIsAskedAgainWhileThereIsTime() throws Exception {
+    try (RegistrarReading reading = reading(3, () -> lookups.get() <= 3)) {
+      reading.start();
+      assertThat(found.poll(30, TimeUnit.SECONDS)).isNotNull();
+      awaitEnd(reading);
+      assertThat(reading.unread()).isEmpty();
+    }
+  }
+
+  @Test
+  void whatIsNeverAnsweredIsNamedWhenTheTimeIsOver() throws Exception {
+    try (RegistrarReading reading = reading(Integer.MAX_VALUE, () -> lookups.get() < 3)) {
+      reading.start();
+      awaitEnd(reading);
+      assertThat(lookups).hasValue(3);
+      assertThat(found).isEmpty();
+      assertThat(reading.unread())
+          .singleElement()
+          .asString()
+          .endsWith(" was called: it did not answer (DeadlineExceededException)");
+    }
   }
 
   @Test
