@@ -2,7 +2,6 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.dfra.core.time.StallProbe;
@@ -35,45 +34,37 @@ class FalseStopIT {
 
   @TempDir static Path folder;
 
-  private static final StallProbe probe = StallProbe.start();
-  private static WheeledRobot robot;
-  private static FalseDrives fakes;
-  private static Path elsewhere;
+  private static RobotBesideFakes eta;
 
   @BeforeAll
   static void bringUp() throws Exception {
-    robot = WheeledRobot.start(folder, "drive");
-    fakes = new FalseDrives(robot.locator());
-    elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+    eta = RobotBesideFakes.start(folder);
   }
 
   @BeforeEach
   void reset() throws Exception {
-    robot.reset();
+    eta.robot().reset();
   }
 
   @AfterAll
   static void takeDown() throws Exception {
-    try (FalseDrives gone = fakes) {
-      if (robot != null) {
-        robot.close();
-      }
-    } finally {
-      probe.close();
+    if (eta != null) {
+      eta.close();
     }
   }
 
   private static Said stop() throws Exception {
-    return robot.stopFromElsewhere(elsewhere, "--all", robot.phoenixOption());
+    return eta.stop("--all", eta.robot().phoenixOption());
   }
 
   @Test
   @Order(1)
   void theRealWheelsStopAndItsPhoenixConfirmsIt() throws Exception {
+    WheeledRobot robot = eta.robot();
     try (Commander unused = robot.driven(LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
-      fakes.replace();
-      StallProbe.Stopwatch running = probe.stopwatch();
+      eta.fakes().replace();
+      StallProbe.Stopwatch running = eta.probe().stopwatch();
       Said said = stop();
       Timing timing = running.stop();
       assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
@@ -88,9 +79,10 @@ class FalseStopIT {
   @Test
   @Order(2) // it kills the drive, whose next incarnation takes the place of the fake at any time
   void whatItsPhoenixCannotConfirmIsShownAsDoubt() throws Exception {
+    WheeledRobot robot = eta.robot();
     robot.signal("STOP", "eta.wheels"); // first, so that the drive cannot register itself anew
     try {
-      fakes.replace();
+      eta.fakes().replace();
       Said said = stop();
       assertThat(said.status()).as(said.text()).isEqualTo(4);
       assertThat(said.text())

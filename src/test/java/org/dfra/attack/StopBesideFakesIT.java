@@ -2,7 +2,6 @@ package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -34,39 +33,33 @@ class StopBesideFakesIT {
 
   @TempDir static Path folder;
 
-  private static final StallProbe probe = StallProbe.start();
-  private static WheeledRobot robot;
-  private static FalseDrives fakes;
-  private static Path elsewhere;
+  private static RobotBesideFakes eta;
 
   @BeforeAll
   static void bringUp() throws Exception {
-    robot = WheeledRobot.start(folder, "drive");
-    fakes = new FalseDrives(robot.locator());
-    elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+    eta = RobotBesideFakes.start(folder);
     for (int i = 0; i < FAKES; i++) {
-      Object unused = fakes.add("fake" + i);
+      Object unused = eta.fakes().add("fake" + i);
     }
   }
 
   @AfterAll
   static void takeDown() throws Exception {
-    try (StallProbe ended = probe;
-        WheeledRobot closed = robot;
-        FalseDrives gone = fakes) {
-      assertThat(ended).isNotNull();
+    if (eta != null) {
+      eta.close();
     }
   }
 
   private static Said stopInTime(String what, String... words) throws Exception {
+    WheeledRobot robot = eta.robot();
     if (robot.drive().stopState().latched()) {
       assertThat(robot.drive().releaseStop("the next test").latched()).isFalse();
     }
     try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
-      StallProbe.Stopwatch running = probe.stopwatch();
+      StallProbe.Stopwatch running = eta.probe().stopwatch();
       Instant typed = Instant.now();
-      Said said = robot.stopFromElsewhere(elsewhere, words);
+      Said said = eta.stop(words);
       Timing timing = running.stop();
       Instant ordered = Objects.requireNonNull(robot.drive().stopState().since(), said.text());
       new Timing(Duration.between(typed, ordered), timing.stalled(), timing.load())
@@ -78,7 +71,7 @@ class StopBesideFakesIT {
 
   @Test
   void itsPhoenixStopsItBeforeAnythingIsRead() throws Exception {
-    Said said = stopInTime("./dfra stop --all beside fakes", "--all", robot.phoenixOption());
+    Said said = stopInTime("./dfra stop --all beside fakes", "--all", eta.robot().phoenixOption());
     assertThat(said.text()).contains("eta/drive: stopped.\n");
   }
 

@@ -4,7 +4,6 @@ import com.sun.jini.discovery.MulticastAnnouncement;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.InetAddress;
-import java.net.Socket;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Collection;
@@ -51,20 +50,11 @@ public final class MulticastSearch implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(MulticastSearch.class);
 
-  /** Of an unknown host: how long its connection may take, and then its answer. */
-  private static final Duration PATIENCE = Duration.ofSeconds(1);
-
-  /** Of a host that answered before. */
-  private static final Duration KNOWN_PATIENCE = Duration.ofSeconds(2);
-
   /** So many announcements may be missed. */
   private static final int MISSED = 3;
 
   /** A lookup service is asked for its groups once in this time at the most. */
   private static final Duration BETWEEN_CHECKS = Duration.ofSeconds(5);
-
-  /** Most probes at once of those that answer requests. */
-  private static final int RESPONSES = AnnouncedHosts.PROBES / 2;
 
   private final MulticastSettings settings;
   private final Listener listener;
@@ -72,11 +62,9 @@ public final class MulticastSearch implements AutoCloseable {
   private final FoundRegistrars found = new FoundRegistrars(); // guarded by this
   private final DiscoveryThreads threads;
   private final RequestRounds requests;
+  private final DiscoveryProbes probes;
   private final @Nullable AnnouncementListener announcements;
   private final WantedGroups groups; // guarded by this
-  private int probing; // guarded by this
-  private int responding; // guarded by this: those of probing that answer a request
-  private @Nullable Future<?> wakeUp; // guarded by this
   private boolean closed; // guarded by this
 
   /**
@@ -103,6 +91,7 @@ public final class MulticastSearch implements AutoCloseable {
     this.listener = listener;
     this.groups = new WantedGroups(groups);
     this.requests = new RequestRounds(settings, threads.timer(), this::identities, this::dispatch);
+    this.probes = new DiscoveryProbes(this, hosts, requests, threads, this::hold);
     boolean isDisabled = settings.interfaces().isEmpty();
     try {
       this.announcements = isDisabled ? null : new AnnouncementListener(settings, this::received);
@@ -219,78 +208,8 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
-  private synchronized void dispatch() {
-    boolean isPossible = true;
-    while (isPossible && !closed && probing < AnnouncedHosts.PROBES) {
-      boolean isAnswerRead = responding < RESPONSES && hosts.isRoomForUnknown(responding);
-      Optional<Socket> answer = isAnswerRead ? requests.next() : Optional.empty();
-      Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next(responding);
-      if (answer.isPresent()) {
-        isPossible = begin(() -> probe(answer.get()), 1);
-        if (!isPossible) {
-          ResponseListener.drop(answer.get()); // its announcement comes within seconds
-        }
-      } else if (place.isPresent()) {
-        isPossible = begin(() -> probe(place.get()), 0);
-        if (!isPossible) {
-          hosts.postponed(place.get());
-        }
-      } else {
-        break;
-      }
-    }
-    if (wakeUp != null) {
-      wakeUp.cancel(false);
-      wakeUp = null;
-    }
-    if (!closed) {
-      Optional<Long> pause =
-          isPossible ? hosts.untilNext() : Optional.of(AnnouncedHosts.SHORTEST_WAIT.toNanos());
-      pause.ifPresent(
-          nanos -> wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
-    }
-  }
-
-  private synchronized boolean begin(Runnable probe, int responses) {
-    boolean isBegun = threads.probe(probe);
-    probing += isBegun ? 1 : 0;
-    responding += isBegun ? responses : 0;
-    return isBegun;
-  }
-
-  private void probe(Place place) {
-    boolean isHeld = false;
-    try {
-      Duration patience = hosts.isKnown(place) ? KNOWN_PATIENCE : PATIENCE;
-      isHeld =
-          hold(UnicastDiscovery.ask(place.host(), place.port(), patience), place.host(), place);
-    } catch (IOException | ClassNotFoundException | RuntimeException e) {
-      LOG.debug("No lookup service at {}, where one is announced.", place, e);
-    } finally {
-      if (!isHeld) {
-        hosts.failed(place);
-      }
-      ended(false);
-    }
-  }
-
-  private void probe(Socket answering) {
-    try (answering) {
-      String host = answering.getInetAddress().getHostAddress();
-      boolean unused = hold(UnicastDiscovery.ask(answering, PATIENCE), host, null);
-    } catch (IOException | ClassNotFoundException | RuntimeException e) {
-      LOG.debug("A request was answered by something else than a lookup service.", e);
-    } finally {
-      ended(true);
-    }
-  }
-
-  private void ended(boolean wasResponse) {
-    synchronized (this) {
-      probing--;
-      responding -= wasResponse ? 1 : 0;
-    }
-    dispatch();
+  private void dispatch() {
+    probes.dispatch();
   }
 
   /**
@@ -397,6 +316,7 @@ public final class MulticastSearch implements AutoCloseable {
   public void close() {
     synchronized (this) {
       closed = true;
+      probes.close();
       found.clear();
     }
     requests.close();

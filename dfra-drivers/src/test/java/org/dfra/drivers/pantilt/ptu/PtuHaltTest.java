@@ -2,6 +2,7 @@ package org.dfra.drivers.pantilt.ptu;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.drivers.fixture.Modules.await;
+import static org.dfra.drivers.fixture.Modules.beside;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -23,9 +24,7 @@ class PtuHaltTest extends PtuFixture {
     CommandLease lease = unit.command(Duration.ofSeconds(10));
     CountDownLatch release = new CountDownLatch(1);
     link.holdUpAWrite(release);
-    CompletableFuture<Void> writing =
-        CompletableFuture.runAsync(
-            () -> unit.obey(lease.key(), new Point(0.1, 0, 1)), run -> new Thread(run).start());
+    CompletableFuture<Void> writing = beside(() -> unit.obey(lease.key(), new Point(0.1, 0, 1)));
     try {
       await().until(() -> written().stream().anyMatch(each -> each.startsWith("PS")));
       assertThat(unit.emergencyStop("ops").latched()).isTrue();

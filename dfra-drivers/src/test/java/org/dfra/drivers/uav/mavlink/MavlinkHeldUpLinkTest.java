@@ -3,6 +3,7 @@ package org.dfra.drivers.uav.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.drivers.fixture.Modules.await;
 import static org.dfra.drivers.fixture.Modules.awaitReadiness;
+import static org.dfra.drivers.fixture.Modules.beside;
 import static org.dfra.drivers.fixture.Modules.parameter;
 
 import io.dronefleet.mavlink.common.MavCmd;
@@ -19,20 +20,29 @@ import org.junit.jupiter.api.Test;
 /** A flight controller on a link that holds up what is written to it. */
 class MavlinkHeldUpLinkTest extends MavlinkFixture {
 
+  /** Starts it, has it fly, and takes the command. */
+  private CommandLease commandInTheAir(MavlinkFlightImpl flight) throws Exception {
+    flight.start();
+    say(HEARTBEAT, RECEIVER, FLIES, POSITION);
+    awaitReadiness(flight, Readiness.READY);
+    return flight.command(Duration.ofSeconds(10));
+  }
+
+  /** Has it fly, and commands it to fly elsewhere, which hangs in the link until the release. */
+  private CompletableFuture<Void> holdUpACommand(MavlinkFlightImpl flight, CountDownLatch release)
+      throws Exception {
+    CommandLease lease = commandInTheAir(flight);
+    links.get(0).holdUpAWrite(release);
+    GoTo away = new GoTo(flight.flight().position(), 3);
+    return beside(() -> flight.obey(lease.key(), away));
+  }
+
   @Test
   void holdsItsPlacePastACommandThatHangsInTheLink() throws Exception {
     try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
       CountDownLatch release = new CountDownLatch(1);
+      CompletableFuture<Void> writing = holdUpACommand(flight, release);
       ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
       try {
         await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
         assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
@@ -60,10 +70,7 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
   @Test
   void holdsItsPlacePastAWriteOfTheReaderThatHangsAndOnceMoreAfterIt() throws Exception {
     try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      CommandLease lease = commandInTheAir(flight);
       ScriptedLink link = links.get(0);
       flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
       link.awaitLooked();
@@ -97,20 +104,11 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
     MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source);
     CountDownLatch release = new CountDownLatch(1);
     try {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      CompletableFuture<Void> writing = holdUpACommand(flight, release);
       ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
       await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
       link.awaitLooked(); // the reader goes on
-      CompletableFuture.runAsync(flight::close, run -> new Thread(run).start())
-          .get(40, TimeUnit.SECONDS);
+      beside(flight::close).get(40, TimeUnit.SECONDS);
       assertThat(link.isOpen()).isFalse();
       assertThat(writing).isNotDone();
     } finally {
@@ -123,16 +121,8 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
   void aVehicleThatFallsSilentWhileACommandHangsIsNoticed() throws Exception {
     CountDownLatch release = new CountDownLatch(1);
     try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
-      flight.start();
-      say(HEARTBEAT, RECEIVER, FLIES, POSITION);
-      awaitReadiness(flight, Readiness.READY);
-      CommandLease lease = flight.command(Duration.ofSeconds(10));
+      CompletableFuture<Void> writing = holdUpACommand(flight, release);
       ScriptedLink link = links.get(0);
-      link.holdUpAWrite(release);
-      GoTo away = new GoTo(flight.flight().position(), 3);
-      CompletableFuture<Void> writing =
-          CompletableFuture.runAsync(
-              () -> flight.obey(lease.key(), away), run -> new Thread(run).start());
       try {
         await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_REPOSITION));
         ticker.step(Duration.ofMillis(3100));

@@ -1,0 +1,160 @@
+package org.dfra.river.discovery;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import org.dfra.river.discovery.AnnouncedHosts.Place;
+import org.dfra.river.discovery.UnicastDiscovery.Answer;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The probes of a {@link MulticastSearch}, whose lock guards this: each asks a lookup service that
+ * was announced, or reads the answer of one to a request. A few are under way at once.
+ */
+final class DiscoveryProbes {
+
+  /** Takes what answered. */
+  @FunctionalInterface
+  interface Taker {
+
+    /**
+     * Takes what answered, if it is wanted; false if not. On the thread of the probe, without the
+     * lock.
+     *
+     * @param host as it was announced, or the address that answered
+     * @param place where it was asked; null if it answered a request
+     */
+    boolean take(Answer answer, String host, @Nullable Place place) throws RemoteException;
+  }
+
+  private static final Logger LOG = LoggerFactory.getLogger(DiscoveryProbes.class);
+
+  /** Of an unknown host: how long its connection may take, and then its answer. */
+  private static final Duration PATIENCE = Duration.ofSeconds(1);
+
+  /** Of a host that answered before. */
+  private static final Duration KNOWN_PATIENCE = Duration.ofSeconds(2);
+
+  /** Most probes at once of those that answer requests. */
+  private static final int RESPONSES = AnnouncedHosts.PROBES / 2;
+
+  private final Object lock; // the search
+  private final AnnouncedHosts hosts;
+  private final RequestRounds requests;
+  private final DiscoveryThreads threads;
+  private final Taker taker;
+  private int probing; // guarded by the lock
+  private int responding; // guarded by the lock: those of probing that answer a request
+  private @Nullable Future<?> wakeUp; // guarded by the lock
+  private boolean closed; // guarded by the lock
+
+  /**
+   * @param lock of the search
+   * @param hosts where to ask
+   * @param requests whose answers are read
+   */
+  DiscoveryProbes(
+      Object lock,
+      AnnouncedHosts hosts,
+      RequestRounds requests,
+      DiscoveryThreads threads,
+      Taker taker) {
+    this.lock = lock;
+    this.hosts = hosts;
+    this.requests = requests;
+    this.threads = threads;
+    this.taker = taker;
+  }
+
+  /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
+  void dispatch() {
+    synchronized (lock) {
+      boolean isPossible = true;
+      while (isPossible && !closed && probing < AnnouncedHosts.PROBES) {
+        boolean isAnswerRead = responding < RESPONSES && hosts.isRoomForUnknown(responding);
+        Optional<Socket> answer = isAnswerRead ? requests.next() : Optional.empty();
+        Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next(responding);
+        if (answer.isPresent()) {
+          isPossible = begin(() -> probe(answer.get()), 1);
+          if (!isPossible) {
+            ResponseListener.drop(answer.get()); // its announcement comes within seconds
+          }
+        } else if (place.isPresent()) {
+          isPossible = begin(() -> probe(place.get()), 0);
+          if (!isPossible) {
+            hosts.postponed(place.get());
+          }
+        } else {
+          break;
+        }
+      }
+      if (wakeUp != null) {
+        wakeUp.cancel(false);
+        wakeUp = null;
+      }
+      if (!closed) {
+        Optional<Long> pause =
+            isPossible ? hosts.untilNext() : Optional.of(AnnouncedHosts.SHORTEST_WAIT.toNanos());
+        pause.ifPresent(
+            nanos ->
+                wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
+      }
+    }
+  }
+
+  /** With the lock. */
+  private boolean begin(Runnable probe, int responses) {
+    boolean isBegun = threads.probe(probe);
+    probing += isBegun ? 1 : 0;
+    responding += isBegun ? responses : 0;
+    return isBegun;
+  }
+
+  private void probe(Place place) {
+    boolean isTaken = false;
+    try {
+      Duration patience = hosts.isKnown(place) ? KNOWN_PATIENCE : PATIENCE;
+      Answer answer = UnicastDiscovery.ask(place.host(), place.port(), patience);
+      isTaken = taker.take(answer, place.host(), place);
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      LOG.debug("No lookup service at {}, where one is announced.", place, e);
+    } finally {
+      if (!isTaken) {
+        hosts.failed(place);
+      }
+      ended(false);
+    }
+  }
+
+  private void probe(Socket answering) {
+    try (answering) {
+      String host = answering.getInetAddress().getHostAddress();
+      boolean unused = taker.take(UnicastDiscovery.ask(answering, PATIENCE), host, null);
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      LOG.debug("A request was answered by something else than a lookup service.", e);
+    } finally {
+      ended(true);
+    }
+  }
+
+  private void ended(boolean wasResponse) {
+    synchronized (lock) {
+      probing--;
+      responding -= wasResponse ? 1 : 0;
+    }
+    dispatch();
+  }
+
+  /** Begins no more. Those that are under way end by their deadlines. */
+  void close() {
+    synchronized (lock) {
+      closed = true;
+    }
+  }
+}
