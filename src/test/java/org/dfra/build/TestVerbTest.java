@@ -156,10 +156,11 @@ class TestVerbTest {
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
         .contains(
+            "-Ddfra.test.forks.across=3",
             "-Ddfra.test.alone=%regex[org/dfra/(app/Demo(Raster|Recruit)IT|app/raster/process/.*IT)"
                 + "\\.class]",
             "-Ddfra.test.paired=%regex[org/dfra/(app/Demo(Devices|Foundation|Persona)IT"
-                + "|phoenix/KilledModuleIT)\\.class]");
+                + "|phoenix/KilledModuleIT|(attack|drive|hosts)/.*IT)\\.class]");
   }
 
   /** The number of processes for the modules' own tests, on the command line, must not reach it. */
