@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lidar's jar, which a class server serves, and keys to sign it with. */
+/** A lidar's jar, which a class server serves, and a key to sign it with. */
 abstract class ServedJarFixture {
 
   static final String HOST = InetAddress.getLoopbackAddress().getHostAddress();
@@ -31,18 +31,14 @@ abstract class ServedJarFixture {
   @TempDir static Path keys;
   @TempDir static Path classes;
   static SignerKey team;
-  static SignerKey stranger;
-  static SignerKey expired;
 
   @TempDir Path folder;
   Path jar;
   ClassServer server;
 
   @BeforeAll
-  static void makeKeys() throws Exception {
+  static void makeKey() throws Exception {
     team = SignerKey.create(keys, "team");
-    stranger = SignerKey.create(keys, "stranger");
-    expired = SignerKey.create(keys, "expired", "-10d", 2);
   }
 
   /** What each test packs into a jar of its own. */
