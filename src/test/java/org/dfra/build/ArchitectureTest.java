@@ -19,7 +19,6 @@ import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -37,8 +36,10 @@ import org.junit.jupiter.params.provider.ValueSource;
  *
  * <p>A rule about a package that has no source yet is skipped and says so; one whose sources exist
  * but whose classes are not found fails, since ArchUnit refuses a rule that checks nothing.
+ *
+ * <p>Also who shows text to people is checked here, since the same classes are read for it.
  */
-class ArchitectureTest {
+class ArchitectureTest extends PrintedTextRules {
 
   private static final String[] API = {
     "org.dfra.module..",
@@ -81,10 +82,7 @@ class ArchitectureTest {
 
   private static final String[] ENTRY = {"org.dfra.river.entry.."};
 
-  private static final JavaClasses DFRA =
-      new ClassFileImporter()
-          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-          .importPackages("org.dfra");
+  private static final JavaClasses DFRA = MainClasses.ALL;
 
   @Test
   void theApiNeedsTheJdkOnly() {

@@ -141,12 +141,14 @@ class ExamplesTest {
   void everyPieceOfJavaCompiles() throws Exception {
     List<Piece> pieces = pieces().stream().filter(piece -> !piece.isClass()).toList();
     assertThat(pieces).isNotEmpty();
-    assumeTrue(ToolProvider.getSystemJavaCompiler() != null, "this Java has no compiler");
-    for (Piece piece : pieces) {
-      Path source = Files.writeString(folder.resolve("Example.java"), piece.source());
-      JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-      DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
-      try (StandardJavaFileManager files = compiler.getStandardFileManager(found, null, null)) {
+    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    assumeTrue(compiler != null, "this Java has no compiler");
+    // One for all, which opens each jar once.
+    try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
+      for (Piece piece : pieces) {
+        Path own = Files.createTempDirectory(folder, "example");
+        Path source = Files.writeString(own.resolve("Example.java"), piece.source());
+        DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
         boolean compiled =
             compiler
                 .getTask(
@@ -155,7 +157,7 @@ class ExamplesTest {
                     found,
                     List.of(
                         "-d",
-                        folder.toString(),
+                        own.toString(),
                         "-cp",
                         System.getProperty("java.class.path"),
                         "-proc:none"),

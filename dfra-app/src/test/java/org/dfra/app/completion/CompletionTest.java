@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dfra.app.Main;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,12 +24,12 @@ import picocli.CommandLine;
 /** The script that is printed completes real words in real shells. */
 class CompletionTest {
 
-  @TempDir Path folder;
+  @TempDir static Path folder;
 
-  private Path script;
+  private static Path script;
 
-  @BeforeEach
-  void print() throws IOException {
+  @BeforeAll
+  static void print() throws IOException {
     script = folder.resolve("dfra.completion");
     try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(script))) {
       int status = new CommandLine(Main.class).setOut(out).execute("completion", "bash");

@@ -46,7 +46,8 @@ class NoiseStudyTest {
       long seed, Duration time, List<String> modules) throws Exception {
     LockStep clock = new LockStep(Instant.parse("2026-11-21T12:00:00Z"));
     Map<String, List<NoiseFigure>> figures = new HashMap<>();
-    try (Simulation world = Simulation.inLockStep(world(seed, modules), clock);
+    WorldDescription field = WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null);
+    try (Simulation world = Simulation.inLockStep(alone(field.seeded(seed), modules), clock);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(clock)) {
       world.start();
       Map<String, String> links = new HashMap<>();
@@ -81,9 +82,8 @@ class NoiseStudyTest {
     return figures;
   }
 
-  /** The world with one robot and those of its devices: the others would only take time. */
-  private static WorldDescription world(long seed, List<String> devices) {
-    WorldDescription whole = WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null);
+  /** A world with atrv1 and those of its devices: the others would only take time. */
+  static WorldDescription alone(WorldDescription whole, List<String> devices) {
     VehicleDescription robot = whole.vehicle("atrv1");
     VehicleDescription alone =
         new VehicleDescription(
@@ -99,7 +99,7 @@ class NoiseStudyTest {
             robot.place());
     return new WorldDescription(
         whole.name(),
-        seed,
+        whole.seed(),
         whole.datum(),
         whole.ground(),
         whole.weather(),

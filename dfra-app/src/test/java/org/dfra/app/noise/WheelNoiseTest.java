@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.directory.InMemoryModuleDirectory;
@@ -23,6 +24,7 @@ import org.dfra.module.Module;
 import org.dfra.sim.run.Simulation;
 import org.dfra.sim.time.LockStep;
 import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -44,18 +46,18 @@ class WheelNoiseTest {
 
   @TempDir Path folder;
 
-  /** The field without the post that stands in the robot's way. */
-  private Path open() throws Exception {
+  /** The robot and what it drives with, on the field without the post that stands in its way. */
+  private WorldDescription open() throws Exception {
     String field = Files.readString(CONFIG.resolve("worlds/raster.xml"));
-    return Files.writeString(
-        folder.resolve("open.xml"), field.replaceAll("<post name=[^>]*/>", ""));
+    Path open =
+        Files.writeString(folder.resolve("open.xml"), field.replaceAll("<post name=[^>]*/>", ""));
+    return NoiseStudyTest.alone(WorldXml.read(open, name -> null), List.of("drive", "battery"));
   }
 
   /** Drives a robot of its own for so long, and lets it come to rest. */
   private Driven drive(long seed, Velocity velocity, Duration time) throws Exception {
     LockStep clock = new LockStep(Instant.parse("2026-11-21T12:00:00Z"));
-    try (Simulation world =
-            Simulation.inLockStep(WorldXml.read(open(), name -> null).seeded(seed), clock);
+    try (Simulation world = Simulation.inLockStep(open().seeded(seed), clock);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(clock)) {
       world.start();
       Map<String, String> links = new HashMap<>();

@@ -17,6 +17,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,7 +34,7 @@ class CallFilterTest {
     Object get() throws RemoteException;
   }
 
-  @TempDir private Path folder;
+  @TempDir static Path folder;
   private Payload payload;
   private BasicJeriExporter exporter;
   private Store store;
@@ -51,6 +52,11 @@ class CallFilterTest {
           return held;
         }
       };
+
+  @BeforeAll
+  static void compile() throws IOException {
+    Payload.compile(folder);
+  }
 
   @BeforeEach
   void export() throws IOException {

@@ -3,6 +3,7 @@ package org.dfra.river.filter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -20,6 +21,7 @@ import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,12 +37,17 @@ class EventFilterTest {
     }
   }
 
-  @TempDir private Path folder;
+  @TempDir static Path folder;
   private Payload payload;
   private BasicJeriExporter exporter;
   private ModuleListener stub;
   private final List<Delivery> heard = new CopyOnWriteArrayList<>();
   private final RemoteModuleListener listener = heard::add;
+
+  @BeforeAll
+  static void compile() throws IOException {
+    Payload.compile(folder);
+  }
 
   @BeforeEach
   void export() throws Exception {

@@ -33,6 +33,7 @@ import java.util.concurrent.TimeUnit;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.dfra.module.Identification;
 import org.dfra.module.Readiness;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,11 +45,16 @@ class GraphFilterTest {
   private static final long OBJECT_ARRAY =
       ObjectStreamClass.lookupAny(Object[].class).getSerialVersionUID();
 
-  @TempDir private Path folder;
+  @TempDir static Path folder;
   private Payload payload;
 
+  @BeforeAll
+  static void compile() throws IOException {
+    Payload.compile(folder);
+  }
+
   @BeforeEach
-  void compile() throws IOException {
+  void load() {
     payload = new Payload(folder);
     Payload.reset();
   }

@@ -48,10 +48,23 @@ final class Payload {
 
   private final ClassLoader loader;
 
-  /** Compiles the payload's class where no class path has it. */
-  Payload(Path folder) throws IOException {
-    Path classes = TestCode.compile(folder, Map.of("elsewhere.Payload", SOURCE));
+  /**
+   * One whose classes nobody else has loaded.
+   *
+   * @param classes where {@link #compile} has put them
+   */
+  Payload(Path classes) {
     loader = new FolderLoader(classes);
+  }
+
+  /**
+   * Compiles the payload's classes where no class path has them. It takes long, so a class of tests
+   * does it once.
+   *
+   * @param folder where the class files go
+   */
+  static void compile(Path folder) throws IOException {
+    TestCode.compile(folder, Map.of("elsewhere.Payload", SOURCE));
   }
 
   /** No URL class loader, whose classes River would annotate with a file: codebase. */

@@ -19,13 +19,19 @@ import java.util.Map;
 import javax.management.BadAttributeValueExpException;
 import net.jini.io.MarshalledInstance;
 import org.dfra.river.fixture.ChildJvm;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The filter of a whole virtual machine, so each test has one of its own. */
 class SerialFiltersTest {
 
-  @TempDir private Path folder;
+  @TempDir static Path folder;
+
+  @BeforeAll
+  static void compile() throws IOException {
+    Payload.compile(folder);
+  }
 
   @Test
   void filtersEveryStreamOfAVirtualMachine() throws Exception {

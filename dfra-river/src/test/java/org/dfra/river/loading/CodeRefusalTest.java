@@ -13,12 +13,23 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
+import org.dfra.river.fixture.SignerKey;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which code is not loaded: what nobody trusts, what was altered, what does not come in time. */
 class CodeRefusalTest extends ServedJarFixture {
+
+  private static SignerKey stranger;
+  private static SignerKey expired;
+
+  @BeforeAll
+  static void makeOtherKeys() throws Exception {
+    stranger = SignerKey.create(keys, "stranger");
+    expired = SignerKey.create(keys, "expired", "-10d", 2);
+  }
 
   @Test
   void aDigestInTheUrlIsNoTrust() throws Exception {

@@ -10,20 +10,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import org.dfra.river.fixture.TestCode;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class RobotClassesTest {
 
+  @TempDir static Path compiled;
   @TempDir private Path folder;
 
   private RobotClasses classes(int port, List<Path> kind, List<Path> general) {
     return new RobotClasses("127.0.0.1", port, folder.resolve("kept"), List.of(kind), general);
   }
 
+  @BeforeAll
+  static void compile() throws IOException {
+    TestCode.compile(compiled, Map.of("a.B", "package a; public class B {}"));
+  }
+
   private Path jar(String name) throws IOException {
-    Path made = TestCode.compile(folder, Map.of("a.B", "package a; public class B {}"));
-    return TestCode.jar(folder.resolve(name), made);
+    return TestCode.jar(folder.resolve(name), compiled);
   }
 
   @Test
@@ -91,7 +97,8 @@ class RobotClassesTest {
                   + ": what listens there answers 404; end it, or give the robot's class server"
                   + " another port");
 
-      Path other = TestCode.compile(folder, Map.of("a.C", "package a; public class C {}"));
+      Path other =
+          TestCode.compile(folder.resolve("other"), Map.of("a.C", "package a; public class C {}"));
       TestCode.jar(file, other);
       assertThat(classes(server.port(), List.of(file), List.of()).missing())
           .contains(

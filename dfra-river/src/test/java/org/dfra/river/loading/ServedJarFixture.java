@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lidar's jar, which a class server serves, and keys to sign it with. */
+/** A lidar's jar, which a class server serves, and a key to sign it with. */
 abstract class ServedJarFixture {
 
   static final String HOST = InetAddress.getLoopbackAddress().getHostAddress();
@@ -29,40 +29,41 @@ abstract class ServedJarFixture {
   static final String RAN = "sample.lidar.ran";
 
   @TempDir static Path keys;
+  @TempDir static Path classes;
   static SignerKey team;
-  static SignerKey stranger;
-  static SignerKey expired;
 
   @TempDir Path folder;
   Path jar;
   ClassServer server;
 
   @BeforeAll
-  static void makeKeys() throws Exception {
+  static void makeKey() throws Exception {
     team = SignerKey.create(keys, "team");
-    stranger = SignerKey.create(keys, "stranger");
-    expired = SignerKey.create(keys, "expired", "-10d", 2);
+  }
+
+  /** What each test packs into a jar of its own. */
+  @BeforeAll
+  static void compile() throws IOException {
+    TestCode.compile(
+        classes,
+        Map.of(
+            KIND,
+            """
+            package sample.lidar;
+            public class Lidar implements java.io.Serializable {
+              static { System.setProperty("sample.lidar.ran", "yes"); }
+            }
+            """,
+            "sample.lidar.RemoteLidar",
+            "package sample.lidar; public interface RemoteLidar extends java.rmi.Remote {}",
+            "sample.lidar.Hidden",
+            "package sample.lidar; interface Hidden extends java.rmi.Remote {}"));
+    Files.writeString(classes.resolve("sample/lidar/name.txt"), "lidar");
   }
 
   @BeforeEach
   void build() throws IOException {
     System.clearProperty(RAN);
-    Path classes =
-        TestCode.compile(
-            folder.resolve("classes"),
-            Map.of(
-                KIND,
-                """
-                package sample.lidar;
-                public class Lidar implements java.io.Serializable {
-                  static { System.setProperty("sample.lidar.ran", "yes"); }
-                }
-                """,
-                "sample.lidar.RemoteLidar",
-                "package sample.lidar; public interface RemoteLidar extends java.rmi.Remote {}",
-                "sample.lidar.Hidden",
-                "package sample.lidar; interface Hidden extends java.rmi.Remote {}"));
-    Files.writeString(classes.resolve("sample/lidar/name.txt"), "lidar");
     jar = TestCode.jar(folder.resolve("lidar.jar"), classes);
   }
 
@@ -122,7 +123,7 @@ abstract class ServedJarFixture {
 
   /** Adds an entry to the jar, which nobody signs. */
   void add(String name) throws IOException {
-    rewrite(name, Files.readAllBytes(folder.resolve("classes/sample/lidar/Lidar.class")));
+    rewrite(name, Files.readAllBytes(classes.resolve("sample/lidar/Lidar.class")));
   }
 
   /** Puts other content under a name, after all that the jar has. */

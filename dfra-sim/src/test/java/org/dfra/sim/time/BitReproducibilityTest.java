@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -24,14 +25,16 @@ import org.junit.jupiter.api.Timeout;
  * A run is repeated bit by bit, whatever else the computer has to do: all the while there are
  * threads that are busy for a while, pause, and are busy again, so that a run is held up at ever
  * other places. {@code -Ddfra.full=true} repeats 50 times beside twice as many of them as
- * processors, otherwise twice beside one; {@code -Ddfra.seed=n} repeats the runs of a failure. In
- * the short form one other virtual machine has the other compilers and another collector.
+ * processors, otherwise twice beside one, and runs of two thirds of the simulated time; {@code
+ * -Ddfra.seed=n} repeats the runs of a failure in the same form. In the short form one other
+ * virtual machine has the other compilers and another collector.
  */
 @Timeout(900)
 class BitReproducibilityTest {
 
   private static final boolean FULL = Boolean.getBoolean("dfra.full");
   private static final int RUNS = FULL ? 50 : 2;
+  private static final Duration LENGTH = Duration.ofSeconds(FULL ? 120 : 80); // of simulated time
   private static final int MOST_BUSY = 10_000_000; // ns
   private static final int LOAD = FULL ? 2 * Runtime.getRuntime().availableProcessors() : 1;
 
@@ -111,7 +114,7 @@ class BitReproducibilityTest {
   @Test
   void whoAsksTheDriversMeanwhileChangesNothing() throws Exception {
     String alone = first();
-    try (SeededRobot robot = new SeededRobot(SEED)) {
+    try (SeededRobot robot = new SeededRobot(SEED, LENGTH)) {
       AtomicBoolean asks = new AtomicBoolean(true);
       CompletableFuture<Void> asker =
           CompletableFuture.runAsync(
@@ -160,7 +163,7 @@ class BitReproducibilityTest {
   }
 
   private static String run(long seed) {
-    try (SeededRobot robot = new SeededRobot(seed)) {
+    try (SeededRobot robot = new SeededRobot(seed, LENGTH)) {
       return robot.run();
     }
   }
@@ -173,7 +176,8 @@ class BitReproducibilityTest {
                 "-cp",
                 System.getProperty("java.class.path"),
                 SeededRobot.class.getName(),
-                Long.toString(SEED))
+                Long.toString(SEED),
+                LENGTH.toString())
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
     try {

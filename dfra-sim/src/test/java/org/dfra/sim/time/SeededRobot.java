@@ -50,17 +50,19 @@ import org.dfra.sim.device.laser.LmsDevice;
 import org.dfra.sim.device.laser.LmsMakeup;
 
 /**
- * Two minutes of a robot with a receiver of every kind, a laser of 500 000 baud, and their real
- * drivers. The seed decides where the receivers are, when they find their satellites, what the
- * laser sees, and when which cable is pulled, silent, bad or sound again and which device is
+ * A robot with a receiver of every kind, a laser of 500 000 baud, and their real drivers, for a
+ * minute or two. The seed decides where the receivers are, when they find their satellites, what
+ * the laser sees, and when which cable is pulled, silent, bad or sound again and which device is
  * switched off and on. All that goes over the links and all that the drivers tell is written down,
  * with the instant.
  */
 final class SeededRobot implements AutoCloseable {
 
   private static final Instant BEGIN = Instant.parse("2026-01-21T07:33:29Z");
-  private static final Duration LAST_FAULT = Duration.ofSeconds(90);
-  private static final Duration END = Duration.ofSeconds(120);
+
+  /** Long enough for each driver to open its link again and to get a reading. */
+  private static final Duration SOUND_AT_LAST = Duration.ofSeconds(30);
+
   private static final int FAULTS_EACH = 4;
 
   private interface Maker {
@@ -68,6 +70,8 @@ final class SeededRobot implements AutoCloseable {
   }
 
   private final Random random;
+  private final Duration end;
+  private final Duration lastFault;
   private final LockStep time = new LockStep(BEGIN);
   private final StringBuilder record = new StringBuilder();
   private final List<SimPort> ports = new ArrayList<>();
@@ -75,8 +79,15 @@ final class SeededRobot implements AutoCloseable {
   private final Map<String, Supplier<String>> questions = new LinkedHashMap<>();
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
 
-  SeededRobot(long seed) {
+  /**
+   * One that nobody has started.
+   *
+   * @param length of its run, in simulated time; no cable is bad in the last 30 s
+   */
+  SeededRobot(long seed, Duration length) {
     random = new Random(seed);
+    end = length;
+    lastFault = length.minus(SOUND_AT_LAST);
     addReceiver("m12", 9600, M12Device::new, M12PlusImpl::new);
     addReceiver("nmea", 4800, NmeaDevice::new, NmeaImpl::new);
     addReceiver("ubx", 38_400, UbxDevice::new, UbxImpl::new);
@@ -88,9 +99,10 @@ final class SeededRobot implements AutoCloseable {
     questions.put("laser", () -> laser.scan() + " " + laser.scan().hashCode());
   }
 
-  /** Runs it; prints the digest of what was written down. */
+  /** Runs it, by its seed and length; prints the digest of what was written down. */
   public static void main(String[] arguments) {
-    try (SeededRobot robot = new SeededRobot(Long.parseLong(arguments[0]))) {
+    long seed = Long.parseLong(arguments[0]);
+    try (SeededRobot robot = new SeededRobot(seed, Duration.parse(arguments[1]))) {
       System.out.println(digest(robot.run()));
     }
   }
@@ -121,13 +133,13 @@ final class SeededRobot implements AutoCloseable {
     drivers.put(name, driver);
     var unused = directory.add(driver);
     for (int i = 0; i < FAULTS_EACH; i++) {
-      Duration when = Duration.ofMillis(random.nextInt((int) LAST_FAULT.toMillis()));
+      Duration when = Duration.ofMillis(random.nextInt((int) lastFault.toMillis()));
       int kind = random.nextInt(5);
       long garble = random.nextLong();
       SerialDevice fresh = devices.get();
       time.after(when.toNanos(), () -> disturb(name, port.cable(), kind, garble, fresh));
     }
-    time.after(LAST_FAULT.toNanos(), port.cable()::restore);
+    time.after(lastFault.toNanos(), port.cable()::restore);
   }
 
   private SerialDevice receiver(Maker maker, int baud) {
@@ -201,7 +213,7 @@ final class SeededRobot implements AutoCloseable {
       }
     }
     time.after(0, () -> drivers.get("m12").setParameter("rate", "2"));
-    while (time.instant().isBefore(BEGIN.plus(END))) {
+    while (time.instant().isBefore(BEGIN.plus(end))) {
       time.advance(Duration.ofMillis(250));
       questions.forEach((name, question) -> write(name, answer(question)));
     }

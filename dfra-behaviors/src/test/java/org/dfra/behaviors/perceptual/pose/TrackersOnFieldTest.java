@@ -46,6 +46,9 @@ class TrackersOnFieldTest {
 
   private static final Map<Question, List<Ride>> RIDES = new HashMap<>();
 
+  /** The same fields for every tracker; a ride changes nothing of its field. */
+  private static final Map<Errors, List<Field>> FIELDS = new HashMap<>();
+
   private static double[] ride(
       TrackerKind kind, Errors errors, double told, ToDoubleFunction<Ride> figure) {
     return RIDES
@@ -56,15 +59,19 @@ class TrackersOnFieldTest {
   }
 
   private static List<Ride> rides(Question question) {
-    return IntStream.range(0, SEEDS)
-        .mapToObj(
-            seed -> {
-              Field field = new Field(seed, question.errors(), SECONDS);
+    List<Field> fields = FIELDS.computeIfAbsent(question.errors(), TrackersOnFieldTest::fields);
+    return fields.stream()
+        .map(
+            field -> {
               PoseTracker tracker =
                   question.kind().create(TrackerTable.told(question.told()), "r/map", Field.DATUM);
               return new Ride(field, tracker).go(FROM).compare(FROM, SECONDS);
             })
         .toList();
+  }
+
+  private static List<Field> fields(Errors errors) {
+    return IntStream.range(0, SEEDS).mapToObj(seed -> new Field(seed, errors, SECONDS)).toList();
   }
 
   private static Figure ratio(double[] values, double[] to) {

@@ -4,9 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.util.List;
@@ -24,8 +21,11 @@ import picocli.CommandLine;
 /**
  * What is shown to people goes through {@link Printable}. Only the classes that are named here
  * write to a terminal or paint text; another one is reviewed, and then added.
+ *
+ * <p>{@link ArchitectureTest} runs them: a class of its own might run in another process, which
+ * would read all classes again.
  */
-class PrintedTextRulesTest {
+abstract class PrintedTextRules {
 
   /** They write text that other computers may have written, and make it printable themselves. */
   private static final Set<String> PRINTABLE =
@@ -65,16 +65,11 @@ class PrintedTextRulesTest {
   private static final Set<String> WRITERS =
       Set.of(PrintStream.class.getName(), PrintWriter.class.getName());
 
-  private static final JavaClasses DFRA =
-      new ClassFileImporter()
-          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-          .importPackages("org.dfra");
-
   /** The classes one of whose accesses is such, by the names of their files. */
   private static Set<String> thatAccess(Predicate<JavaAccess<?>> such) {
-    return DFRA.stream()
+    return MainClasses.ALL.stream()
         .filter(each -> each.getAccessesFromSelf().stream().anyMatch(such))
-        .map(PrintedTextRulesTest::outermost)
+        .map(PrintedTextRules::outermost)
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
@@ -95,7 +90,7 @@ class PrintedTextRulesTest {
 
   @Test
   void onlyTheseWriteToATerminal() {
-    assertThat(thatAccess(PrintedTextRulesTest::writes))
+    assertThat(thatAccess(PrintedTextRules::writes))
         .containsExactlyInAnyOrderElementsOf(
             Stream.concat(PRINTABLE.stream(), OWN_TEXT.stream()).toList());
   }
