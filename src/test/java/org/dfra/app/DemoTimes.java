@@ -64,7 +64,7 @@ record DemoTimes(List<Target> targets) {
     private Timing in(Timing run) {
       Duration took = duration(measured);
       Duration least = bound().plusNanos(1); // rounding may have printed the target itself
-      return new Timing(took.compareTo(least) < 0 ? least : took, run.stalled(), run.load());
+      return run.during(took.compareTo(least) < 0 ? least : took);
     }
 
     private Duration bound() {
@@ -149,14 +149,15 @@ record DemoTimes(List<Target> targets) {
           String.format(
               Locale.ROOT,
               "%s: %s; the computer stalled for %.3f s of %.0f s, with %.1f runnable threads per"
-                  + " processor",
+                  + " processor%s",
               outcome == Outcome.MISSED_DURING_A_STALL
                   ? "MISSED DURING A STALL"
                   : "missed during an overload",
               each,
               run.stalled().toNanos() / 1e9,
               run.took().toNanos() / 1e9,
-              run.load()));
+              run.load(),
+              run.steal()));
     }
     return excuses;
   }

@@ -62,7 +62,8 @@ class StopBesideFakesIT {
       Said said = eta.stop(words);
       Timing timing = running.stop();
       Instant ordered = Objects.requireNonNull(robot.drive().stopState().since(), said.text());
-      new Timing(Duration.between(typed, ordered), timing.stalled(), timing.load())
+      timing
+          .during(Duration.between(typed, ordered))
           .requireWithin(what, STOPPED);
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
       return said;

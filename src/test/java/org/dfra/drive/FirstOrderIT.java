@@ -86,7 +86,7 @@ class FirstOrderIT {
       Duration took = Duration.between(typed, ordered);
       System.out.printf(
           "the first order came %.3f s after the script began%n", took.toNanos() / 1e9);
-      return new Timing(took, whole.stalled(), whole.load());
+      return whole.during(took);
     }
   }
 }

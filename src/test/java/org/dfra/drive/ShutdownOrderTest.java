@@ -328,7 +328,7 @@ public class ShutdownOrderTest {
       long began = System.nanoTime();
       body.end();
       toEnd = begun.stop();
-      toClosed = new Timing(Duration.ofNanos(closedAt - began), toEnd.stalled(), toEnd.load());
+      toClosed = toEnd.during(Duration.ofNanos(closedAt - began));
     }
     System.out.printf("driver closed: %s; all ended: %s%n", toClosed, toEnd);
     assertThat(STEPS.indexOf("closed")).as("steps " + STEPS).isNotNegative();

@@ -119,7 +119,8 @@ class StopIT {
       Timing timing = running.stop();
       assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
       Instant ordered = Objects.requireNonNull(drive.stopState().since());
-      new Timing(Duration.between(typed, ordered), timing.stalled(), timing.load())
+      timing
+          .during(Duration.between(typed, ordered))
           .requireWithin("./dfra stop --all to its first order", FIRST_ORDER);
       assertTheyStand(typed, "./dfra stop --all was typed");
       await().atMost(PATIENCE).until(commander::hasGivenUp);

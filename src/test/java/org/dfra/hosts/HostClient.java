@@ -141,9 +141,15 @@ final class HostClient implements AutoCloseable {
     return bytes.toString(StandardCharsets.ISO_8859_1);
   }
 
-  /** A measurement as {@code took stalled load}: nanoseconds twice, and a number. */
+  /** A measurement as {@code took stalled load stolen}: nanoseconds twice, and two numbers. */
   private static String written(Timing timing) {
-    return timing.took().toNanos() + " " + timing.stalled().toNanos() + " " + timing.load();
+    return timing.took().toNanos()
+        + " "
+        + timing.stalled().toNanos()
+        + " "
+        + timing.load()
+        + " "
+        + timing.stolen();
   }
 
   /** Reads a receiver's position and says how long that took, and what came of it. */

@@ -156,7 +156,8 @@ class TwoHostsIT {
               i == 0 ? CALL_ENDED : LATER_CALL_ENDED);
       patiently().until(() -> host.ask("call " + host.robot() + "/gps_front").endsWith(" ok"));
       Timing reported = changed(host, elsewhere);
-      new Timing(reported.took().minus(whole), reported.stalled(), reported.load())
+      reported
+          .during(reported.took().minus(whole))
           .requireWithin("reporting that a module is out of reach", REPORTED);
       assertThat(host.ask("heard " + elsewhere)).endsWith(" interrupted");
       patiently()
@@ -228,7 +229,8 @@ class TwoHostsIT {
     return new Timing(
         Duration.ofNanos(Long.parseLong(words[0])),
         Duration.ofNanos(Long.parseLong(words[1])),
-        Double.parseDouble(words[2]));
+        Double.parseDouble(words[2]),
+        Double.parseDouble(words[3]));
   }
 
   private static long heard(RobotHost host, String path, int column) throws Exception {

@@ -4,11 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.DoubleSupplier;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Measures whether this computer runs its programs on time, so that a program that was late can be
@@ -16,11 +17,11 @@ import java.util.function.LongSupplier;
  *
  * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
  * that is a <em>stall</em>, if it is more than 5 ms: the computer was suspended, swapped, or its
- * host gave it no processor. What the host gives to others in slices too short to be seen so, Linux
- * counts as <em>steal</em> time: that is a stall too, where it is longer than the one that was seen.
- * At the same pace the thread reads how many threads of the whole computer want to run. Where they
- * are more than the processors, each program runs slower by that ratio, without any stall. {@link
- * Timing} says exactly how a missed bound is judged by both.
+ * host gave it no processor. At the same pace the thread reads how many threads of the whole
+ * computer want to run. Where they are more than the processors, each program runs slower by that
+ * ratio, without any stall. It does so, too, where the host of a virtual computer gives processors to
+ * others in slices that are too short to be seen as stalls; Linux counts these. {@link Timing} says
+ * exactly how a missed bound is judged by all three.
  *
  * <pre>
  *   try (StallProbe probe = StallProbe.start()) {
@@ -51,23 +52,16 @@ public final class StallProbe implements AutoCloseable {
   public static final Duration MEMORY = PERIOD.multipliedBy(KEPT);
 
   private static final Path LOAD = Path.of("/proc/loadavg");
-  private static final Path PROCESSORS = Path.of("/proc/stat");
-
-  /** Of the times in hundredths of a second in its first line, of all processors: the steal. */
-  private static final int STEAL = 8;
-
-  private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
   private final LongSupplier nanos;
   private final DoubleSupplier load;
-  private final LongSupplier stolen;
+  private final Supplier<ProcessorTimes> processors;
   private final Thread thread = new Thread(this::run, "dfra-stall-probe");
 
   private volatile boolean closed;
 
   // Guarded by this.
   private long due;
-  private long stolenBefore;
   private long stalledNanos;
   private double loadSum;
   private long measurements;
@@ -77,27 +71,21 @@ public final class StallProbe implements AutoCloseable {
 
   private final long[] stalls = new long[KEPT];
   private final double[] loads = new double[KEPT];
+  private final ProcessorTimes[] processorTimes = new ProcessorTimes[KEPT];
 
-  /**
-   * For tests: by another time, load and steal.
-   *
-   * @param stolen for how long the host has kept a processor for others, on average over the
-   *     processors, nanoseconds since any time
-   */
-  StallProbe(LongSupplier nanos, DoubleSupplier load, LongSupplier stolen) {
+  /** For tests: by another time, load and processors. */
+  StallProbe(LongSupplier nanos, DoubleSupplier load, Supplier<ProcessorTimes> processors) {
     this.nanos = nanos;
     this.load = load;
-    this.stolen = stolen;
-    this.stolenBefore = stolen.getAsLong();
+    this.processors = processors;
     this.due = nanos.getAsLong() + PERIOD_NANOS;
     thread.setDaemon(true);
   }
 
   /** Starts to measure, until it is closed. */
   public static StallProbe start() {
-    StallProbe probe = 
-        new StallProbe(
-            System::nanoTime, StallProbe::runnablePerProcessor, StallProbe::stolenPerProcessor);
+    StallProbe probe =
+        new StallProbe(System::nanoTime, StallProbe::runnablePerProcessor, ProcessorTimes::now);
     probe.thread.start();
     return probe;
   }
@@ -134,10 +122,9 @@ public final class StallProbe implements AutoCloseable {
     long now = nanos.getAsLong();
     int place = (int) (measurements % KEPT);
     times[place] = now;
-    long steal = stolen.getAsLong();
-    stalls[place] = Math.max(stallAt(now), steal - stolenBefore);
-    stolenBefore = steal;
+    stalls[place] = stallAt(now);
     loads[place] = load.getAsDouble();
+    processorTimes[place] = processors.get();
     stalledNanos += stalls[place];
     loadSum += loads[place];
     measurements++;
@@ -168,15 +155,27 @@ public final class StallProbe implements AutoCloseable {
     long stalled = closed ? 0 : overlap(begin, end, now, stallAt(now));
     double sum = 0;
     int count = 0;
+    @Nullable ProcessorTimes first = null;
+    ProcessorTimes last = processors.get();
     for (long i = Math.max(0, measurements - KEPT); i < measurements; i++) {
       int place = (int) (i % KEPT);
       stalled += overlap(begin, end, times[place], stalls[place]);
+      if (first == null || times[place] - begin <= 0) {
+        first = processorTimes[place]; // the last one before it, if there is one
+      }
+      if (times[place] - end <= PERIOD_NANOS) {
+        last = processorTimes[place]; // the first one after it
+      }
       if (times[place] - begin >= 0 && times[place] - PERIOD_NANOS - end <= 0) {
         sum += loads[place]; // also of the measurement right after a span of milliseconds
         count++;
       }
     }
-    return new Timing(took, Duration.ofNanos(stalled), count == 0 ? 1 : sum / count);
+    return new Timing(
+        took,
+        Duration.ofNanos(stalled),
+        count == 0 ? 1 : sum / count,
+        first == null ? 0 : last.stolenSince(first));
   }
 
   /** How much of a stall that ended at {@code over} was between {@code begin} and {@code end}. */
@@ -204,20 +203,6 @@ public final class StallProbe implements AutoCloseable {
     }
   }
 
-  private static long stolenPerProcessor() {
-    try {
-      // cpu  1493296 0 295974 1011717 8435 0 19100 4626 0 0, then cpu0 and so on
-      List<String> processors =
-          Files.readAllLines(PROCESSORS).stream().filter(line -> line.startsWith("cpu")).toList();
-      String[] all = processors.isEmpty() ? new String[0] : processors.get(0).split(" +");
-      return all.length > STEAL && processors.size() > 1
-          ? Long.parseLong(all[STEAL]) * TICK_NANOS / (processors.size() - 1)
-          : 0;
-    } catch (IOException | NumberFormatException e) {
-      return 0; // not Linux: only what the thread itself sees
-    }
-  }
-
   /** Times one thing. */
   public final class Stopwatch {
 
@@ -225,6 +210,7 @@ public final class StallProbe implements AutoCloseable {
     private final long stalledBefore;
     private final double loadBefore;
     private final long measurementsBefore;
+    private final ProcessorTimes processorsBefore = processors.get();
 
     private Stopwatch() {
       synchronized (StallProbe.this) {
@@ -245,7 +231,8 @@ public final class StallProbe implements AutoCloseable {
         return new Timing(
             Duration.ofNanos(now - began),
             Duration.ofNanos(Math.max(0, stalled)),
-            count == 0 ? 1 : (loadSum - loadBefore) / count);
+            count == 0 ? 1 : (loadSum - loadBefore) / count,
+            processors.get().stolenSince(processorsBefore));
       }
     }
   }

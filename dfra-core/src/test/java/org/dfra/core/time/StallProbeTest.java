@@ -2,6 +2,7 @@ package org.dfra.core.time;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -17,8 +18,9 @@ class StallProbeTest {
 
   private final AtomicLong now = new AtomicLong(1_000_000_000L);
   private final AtomicReference<Double> load = new AtomicReference<>(0.5);
-  private final AtomicLong stolen = new AtomicLong(7_000_000_000L);
-  private final StallProbe probe = new StallProbe(now::get, load::get, stolen::get);
+  private final AtomicReference<ProcessorTimes> processors =
+      new AtomicReference<>(new ProcessorTimes(7000, 90));
+  private final StallProbe probe = new StallProbe(now::get, load::get, processors::get);
 
   private void measureFor(Duration time) {
     for (long i = 0; i < time.dividedBy(StallProbe.PERIOD); i++) {
@@ -145,18 +147,54 @@ class StallProbeTest {
     assertThat(watch.stop().stalled()).isZero();
   }
 
+  private void run(long served, long stolen) {
+    processors.updateAndGet(
+        all -> new ProcessorTimes(all.served() + served, all.stolen() + stolen));
+  }
+
   @Test
-  void whatTheHostStealsInShortSlicesIsAStallToo() {
+  void whatTheHostGivesToOthersExplainsAMissByItsShare() {
     StallProbe.Stopwatch watch = probe.stopwatch();
-    for (int i = 0; i < 100; i++) {
-      stolen.addAndGet(Duration.ofMillis(5).toNanos());
+    for (int i = 0; i < 300; i++) {
+      run(3, 1);
       measureFor(StallProbe.PERIOD);
     }
-    assertThat(watch.stop().stalled()).isEqualTo(Duration.ofMillis(500));
-    stolen.addAndGet(Duration.ofSeconds(1).toNanos());
-    pass(Duration.ofSeconds(2));
-    probe.measure();
-    assertThat(watch.stop().stalled()).as("counted once").isEqualTo(Duration.ofMillis(2480));
+    Timing timing = watch.stop();
+    assertThat(timing).isEqualTo(new Timing(Duration.ofSeconds(6), Duration.ZERO, 0.5, 0.25));
+    assertThat(timing.against(BOUND)).as("4.5 s").isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    assertThat(timing.against(Duration.ofSeconds(4))).isEqualTo(Outcome.MISSED);
+    assertThatThrownBy(() -> timing.requireWithin("listening again", Duration.ofSeconds(4)))
+        .hasMessageEndingWith(
+            " 0.5 runnable threads per processor, and its host gave 25 % of the wanted processor"
+                + " time to others");
+    assertThat(timing.during(Duration.ofSeconds(5)).against(Duration.ofSeconds(4)))
+        .as("3.75 s")
+        .isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    measureFor(Duration.ofSeconds(4)); // it wants no processor
+    run(300, 20);
+    measureFor(Duration.ofSeconds(2));
+    assertThat(probe.past(Duration.ofSeconds(2), Duration.ofSeconds(2)).stolen())
+        .isEqualTo(20.0 / 320);
+    assertThat(probe.past(Duration.ofSeconds(12), Duration.ofSeconds(6)).stolen())
+        .isCloseTo(0.25, within(0.001));
+  }
+
+  @Test
+  void aFewHundredthsOfTheTimeAreUsualAndExcuseNothing() {
+    Timing timing = new Timing(Duration.ofSeconds(5).plusMillis(100), Duration.ZERO, 0.5, 0.09);
+    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED);
+    assertThat(timing.steal()).isEmpty();
+  }
+
+  @Test
+  void readsWhatLinuxCounts() {
+    ProcessorTimes before = ProcessorTimes.of("cpu  1000 10 200 5000 60 7 13 40 0 0");
+    assertThat(before).isEqualTo(new ProcessorTimes(1230, 40));
+    assertThat(ProcessorTimes.of("cpu  1040 10 210 9000 60 7 23 60 0 0").stolenSince(before))
+        .isEqualTo(0.25);
+    assertThat(before.stolenSince(before)).isZero();
+    assertThat(ProcessorTimes.of("")).isEqualTo(ProcessorTimes.UNKNOWN);
+    assertThat(ProcessorTimes.of("cpu 1 2 3 4")).isEqualTo(ProcessorTimes.UNKNOWN);
   }
 
   /** Four seconds, a stall of 1.98 s, four seconds; and what was asked for is long over. */

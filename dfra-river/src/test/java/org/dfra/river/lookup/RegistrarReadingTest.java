@@ -3,11 +3,13 @@ package org.dfra.river.lookup;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
@@ -17,10 +19,12 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
+import org.dfra.river.entry.ModuleEntry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -30,6 +34,7 @@ class RegistrarReadingTest {
 
   private final BlockingQueue<ListedEffector> found = new LinkedBlockingQueue<>();
   private final Semaphore over = new Semaphore(0);
+  private final CountDownLatch end = new CountDownLatch(1);
 
   private final EffectorSearch.Listener listener =
       new EffectorSearch.Listener() {
@@ -98,6 +103,72 @@ class RegistrarReadingTest {
   private void awaitEnd(RegistrarReading reading) throws InterruptedException {
     while (!reading.isOver()) {
       assertThat(over.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+    }
+  }
+
+  /**
+   * One that lists the robots atrv1 and atrv2, and keeps to itself until it is closed what it is
+   * asked in one way.
+   *
+   * @param held the method, and the robot that it is asked about, if any: {@code lookup atrv1}
+   */
+  private ServiceRegistrar holding(String held) {
+    ServiceRegistrar all = registrar(0);
+    return (ServiceRegistrar)
+        Proxy.newProxyInstance(
+            ServiceRegistrar.class.getClassLoader(),
+            new Class<?>[] {ServiceRegistrar.class},
+            (proxy, method, args) -> {
+              String asked = method.getName();
+              if (asked.equals("lookup")) {
+                ServiceTemplate template = (ServiceTemplate) args[0];
+                asked += " " + ((ModuleEntry) template.attributeSetTemplates[0]).robot;
+              }
+              if (asked.equals(held)) {
+                end.await();
+                throw new RemoteException("too late");
+              }
+              return asked.equals("getFieldValues")
+                  ? new Object[] {"atrv1", "atrv2"}
+                  : method.invoke(all, args);
+            });
+  }
+
+  /** Anybody may list thousands of robots before them. */
+  @Test
+  void robotsThatAreKnownAreReadBeforeTheOthersAreListed() throws Exception {
+    try (RegistrarReading reading =
+        new RegistrarReading(
+            holding("getFieldValues"),
+            List.of(),
+            List.of("atrv1"),
+            listener,
+            null,
+            () -> {},
+            () -> false)) {
+      reading.start();
+      assertThat(found.poll(30, TimeUnit.SECONDS)).isNotNull();
+    } finally {
+      end.countDown();
+    }
+  }
+
+  @Test
+  void anAnswerThatDoesNotComeDelaysNoOtherRobot() throws Exception {
+    try (RegistrarReading reading =
+        new RegistrarReading(
+            holding("lookup atrv1"),
+            List.of(),
+            List.of(),
+            listener,
+            null,
+            () -> {},
+            () -> false)) {
+      reading.start();
+      assertThat(found.poll(30, TimeUnit.SECONDS)).as("of atrv2").isNotNull();
+      assertThat(reading.isOver()).isFalse();
+    } finally {
+      end.countDown();
     }
   }
 
