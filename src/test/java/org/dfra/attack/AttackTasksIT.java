@@ -21,6 +21,7 @@ import org.dfra.app.bench.attack.JrmpReferences;
 import org.dfra.app.bench.attack.LocalMulticast;
 import org.dfra.app.bench.attack.LockTheft;
 import org.dfra.app.bench.attack.NestedXml;
+import org.dfra.app.bench.attack.RegistrarChanges;
 import org.dfra.app.bench.attack.TaskProcess;
 import org.dfra.app.figure.Figure;
 import org.junit.jupiter.api.Test;
@@ -40,7 +41,7 @@ class AttackTasksIT {
   @TempDir Path temp;
 
   @Test
-  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "six processes")
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "many processes")
   void attacksReachTheRobotAndComeToNothing() throws Exception {
     AttackHosts hosts = AttackHosts.assumed();
     boolean hasMulticast = LocalMulticast.isPossible();
@@ -56,7 +57,8 @@ class AttackTasksIT {
                   ForgedText.class,
                   JrmpReferences.class,
                   GroupRegistrations.class,
-                  LockTheft.class));
+                  LockTheft.class,
+                  RegistrarChanges.class));
       if (hasMulticast) {
         attacks.add(DiscoveryBombs.class);
       }

@@ -40,8 +40,21 @@ final class Checks {
     }
   }
 
-  /** Equal sets become equal lists, in whichever order they were given. */
+  /**
+   * Equal sets become equal lists, in whichever order they were given.
+   *
+   * @throws IllegalArgumentException if something in a list that came from elsewhere is no text: to
+   *     compute its hash code could take for ever
+   */
   static List<String> sorted(List<String> texts) {
+    for (Object each : texts) {
+      if (!(each instanceof String)) {
+        throw new IllegalArgumentException(
+            "a list of texts holds "
+                + (each == null ? "null" : "a " + each.getClass().getName())
+                + "; give texts only");
+      }
+    }
     return texts.stream().distinct().sorted().toList();
   }
 

@@ -13,6 +13,7 @@ import org.dfra.app.bench.attack.ListenerFlood;
 import org.dfra.app.bench.attack.LockTheft;
 import org.dfra.app.bench.attack.NestedXml;
 import org.dfra.app.bench.attack.NeutralLoad;
+import org.dfra.app.bench.attack.RegistrarChanges;
 import org.dfra.app.bench.attack.RogueAnnouncements;
 import org.dfra.app.bench.attack.SlowHeaders;
 import org.dfra.app.bench.attack.UnfinishedRequests;
@@ -52,6 +53,7 @@ record AttackCase(
           stranger("fake modules", FakeModules.class), // 1, 2
           stranger("administrative calls", AdministrativeCalls.class), // 3
           onPhoenix("registered groups", GroupRegistrations.class, Attacker.LOCAL_USER_OR_STRANGER),
+          stranger("changes of the registrar", RegistrarChanges.class), // 5
           stranger("JRMP references", JrmpReferences.class), // 6
           stranger("hash bombs", HashBombs.class), // 7
           byMulticast("discovery bombs", DiscoveryBombs.class), // 8

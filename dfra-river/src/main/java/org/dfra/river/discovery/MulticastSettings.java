@@ -2,10 +2,13 @@ package org.dfra.river.discovery;
 
 import com.sun.jini.discovery.DiscoveryConstraints;
 import java.io.IOException;
+import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
@@ -60,7 +63,7 @@ record MulticastSettings(
    *
    * @throws ConfigurationException if an entry is wrong, or names constraints that plain discovery
    *     cannot fulfil
-   * @throws IOException if this computer's interfaces or its own address cannot be found
+   * @throws IOException if this computer's interfaces cannot be listed
    */
   @SuppressWarnings("NullAway") // getEntry takes a null default
   static MulticastSettings of(Configuration configuration)
@@ -106,7 +109,7 @@ record MulticastSettings(
     return new MulticastSettings(
         Arrays.asList(listed),
         isListed,
-        host(configuration, version),
+        host(configuration, version, Arrays.asList(listed)),
         version,
         Math.max(
             request.getMulticastMaxPacketSize(PACKET_BYTES),
@@ -140,15 +143,39 @@ record MulticastSettings(
     }
   }
 
-  private static String host(Configuration configuration, int version)
+  private static String host(
+      Configuration configuration, int version, List<@Nullable NetworkInterface> interfaces)
       throws ConfigurationException, IOException {
     try {
       return (String) configuration.getEntry(COMPONENT, "multicastRequestHost", String.class);
     } catch (NoSuchEntryException e) {
       return version == 1
           ? InetAddress.getLoopbackAddress().getHostAddress() // is not sent
-          : InetAddress.getLocalHost().getHostAddress();
+          : address(interfaces);
     }
+  }
+
+  /**
+   * An IPv4 address of the interfaces, one that others reach if there is one. No name service is
+   * asked: it may take long to answer, or know another address.
+   */
+  private static String address(List<@Nullable NetworkInterface> interfaces) throws IOException {
+    List<NetworkInterface> sending = new ArrayList<>();
+    for (@Nullable NetworkInterface each : interfaces) {
+      if (each == null) { // which of them, the system chooses
+        sending.addAll(NetworkInterface.networkInterfaces().toList());
+      } else {
+        sending.add(each);
+      }
+    }
+    return sending.stream()
+        .flatMap(NetworkInterface::inetAddresses)
+        .filter(Inet4Address.class::isInstance)
+        .min(
+            Comparator.comparing(InetAddress::isLoopbackAddress)
+                .thenComparing(InetAddress::isLinkLocalAddress))
+        .orElseGet(InetAddress::getLoopbackAddress)
+        .getHostAddress();
   }
 
   private static Duration millis(Configuration configuration, String name, long otherwise)

@@ -6,12 +6,19 @@ final class StreamBudget {
   /** An honest key is a string, an identity, or a record of a few. */
   static final int STEPS_PER_ENTRY = 16;
 
+  /** Around a cycle a walk goes until its stack is full; not all that has one is in it. */
+  private static final int ROUNDS = 16;
+
+  /** Visits beyond one for each byte on the heap; of honest objects few are shared. */
+  private static final long MORE_VISITS = 1 << 20;
+
   private final SerialLimits limits;
   private long references;
   private long claimed;
   private long heap;
   private long entries;
   private long hashed;
+  private long walked;
 
   StreamBudget(SerialLimits limits) {
     this.limits = limits;
@@ -44,6 +51,20 @@ final class StreamBudget {
     claimed += (long) length * HeapSize.width(element);
     SerialLimits.atMost(claimed, limits.bytes(), "bytes claimed by arrays", "dfra.serial.bytes");
     build(HeapSize.array(element, length));
+  }
+
+  /** Counts what a walk through an object visits that has this {@link Cost}. */
+  void walk(long cost) {
+    walked += Cost.visits(cost) * (Cost.isEndless(cost) ? ROUNDS : 1);
+    long most = heap + MORE_VISITS;
+    if (walked > most && limits.heap() < Long.MAX_VALUE) {
+      throw new RefusedDataException(
+          "refused to read on: "
+              + walked
+              + " objects, each as often as it is referred to, > "
+              + most
+              + " allowed; refer to the same object less often");
+    }
   }
 
   /** Counts an entry of a hash table, whose key has this {@link Cost}. */

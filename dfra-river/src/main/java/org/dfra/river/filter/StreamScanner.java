@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  * objects are keys, nor where a reference back leads, and an object that refers twice to one that
  * refers twice to another, and so on, has a hash code that takes two to the power of their number
  * to compute. Here all of that is known. {@link Cost} follows references back; keys may cost as
- * many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}.
+ * many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}. What is
+ * no key may be compared or shown later, so a walk through the whole stream is bounded too.
  *
  * <p>An element is a block of primitive data or an object with all that it refers to. It is kept
  * until it has come as a whole: a call that stalls costs the bytes that it has sent, not what its
@@ -84,7 +85,7 @@ final class StreamScanner implements ObjectStreamConstants {
       if (tag == TC_RESET) {
         reset();
       } else if (!isBlock(tag)) {
-        content(tag);
+        budget.walk(content(tag));
       }
     } catch (AbortedException e) { // the element ends with what went wrong at the writer
       depth = 0; // whose numbers go on, as they do for an object stream
@@ -308,7 +309,7 @@ final class StreamScanner implements ObjectStreamConstants {
     }
     long nested = Cost.nesting(sum) + 1;
     HashTables.checkNesting(nested);
-    return Cost.of(Cost.steps(sum), nested);
+    return Cost.nested(sum, nested);
   }
 
   /** Reads a class descriptor or a reference back to one; null for none. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import com.sun.jini.discovery.Discovery;
+import com.sun.jini.discovery.DiscoveryProtocolVersion;
 import com.sun.jini.discovery.MulticastAnnouncement;
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -22,6 +23,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import net.jini.config.ConfigurationException;
 import net.jini.constraint.BasicMethodConstraints;
+import net.jini.constraint.BasicMethodConstraints.MethodDesc;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
@@ -274,6 +276,33 @@ class MulticastSearchTest {
     AnsweringServer server = serve(HONEST);
     announce(server, HONEST.getServiceID(), GROUP);
     assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
+  }
+
+  /** A name service may take long to answer, and knows nothing of the interfaces. */
+  @Test
+  void asksForAnswersAtAnAddressOfTheInterfacesThatItSendsOn() throws Exception {
+    NetworkInterface[] loopback = {
+      NetworkInterface.getByInetAddress(InetAddress.getLoopbackAddress())
+    };
+    assertThat(ofVersion2(loopback).host())
+        .isEqualTo(InetAddress.getLoopbackAddress().getHostAddress());
+    NetworkInterface[] chosen = {null};
+    InetAddress host = InetAddress.getByName(ofVersion2(chosen).host());
+    assertThat(NetworkInterface.getByInetAddress(host)).as("that has %s", host).isNotNull();
+  }
+
+  private static MulticastSettings ofVersion2(NetworkInterface[] interfaces) throws Exception {
+    MethodDesc[] methods = {
+      new MethodDesc(
+          "multicastRequest", new InvocationConstraints(DiscoveryProtocolVersion.TWO, null))
+    };
+    return MulticastSettings.of(
+        new SuppliedConfiguration(
+            Map.of(
+                MulticastSettings.COMPONENT + ".discoveryConstraints",
+                () -> new BasicMethodConstraints(methods),
+                MulticastSettings.COMPONENT + ".multicastInterfaces",
+                () -> interfaces)));
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import net.jini.core.entry.Entry;
 import net.jini.io.MarshalledInstance;
@@ -162,6 +163,33 @@ class EntriesTest {
     };
     assertThat(Entries.records(entries)).isEmpty();
     assertThat(Entries.records(null)).isEmpty();
+  }
+
+  /** To compute the hash code of a stranger's lists of lists could take for ever. */
+  @Test
+  void aRecordWhoseTextsAreNoneIsLeftOutAndNotHashed() {
+    AtomicBoolean isHashed = new AtomicBoolean();
+    Object list =
+        new Object() {
+          @Override
+          public int hashCode() {
+            isHashed.set(true);
+            return 1;
+          }
+        };
+    ChainableEntry entry = new ChainableEntry();
+    entry.inputs = texts(list);
+    entry.outputs = new ArrayList<>();
+    assertThat(Entries.records(new Entry[] {entry})).isEmpty();
+    assertThat(isHashed).isFalse();
+    entry.inputs = texts("a");
+    assertThat(Entries.records(new Entry[] {entry}))
+        .containsExactly(new ChainAttributes(List.of("a"), List.of()));
+  }
+
+  @SuppressWarnings("unchecked") // nor does a stream check it
+  private static List<String> texts(Object text) {
+    return (List<String>) (List<?>) new ArrayList<>(List.of(text));
   }
 
   /** A registrar would not see which robot it names. */
