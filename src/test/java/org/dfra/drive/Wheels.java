@@ -68,6 +68,9 @@ public final class Wheels implements AutoCloseable {
     Duration stood =
         Duration.between(lastMotion(), Objects.requireNonNull(standingSince(), "they move"));
     System.out.printf("the wheels stood %.3f s after the last command%n", stood.toNanos() / 1e9);
+    if (stood.isNegative()) {
+      return; // the last command came too late to move them again
+    }
     Duration ago = Duration.between(lastMotion(), CLOCK.instant());
     probe.past(ago, stood).requireWithin("from the last command to wheels that stand", STANDING);
   }
