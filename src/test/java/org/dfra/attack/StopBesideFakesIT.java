@@ -62,9 +62,7 @@ class StopBesideFakesIT {
       Said said = eta.stop(words);
       Timing timing = running.stop();
       Instant ordered = Objects.requireNonNull(robot.drive().stopState().since(), said.text());
-      timing
-          .during(Duration.between(typed, ordered))
-          .requireWithin(what, STOPPED);
+      timing.during(Duration.between(typed, ordered)).requireWithin(what, STOPPED);
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
       return said;
     }

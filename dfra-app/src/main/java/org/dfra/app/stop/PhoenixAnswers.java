@@ -1,7 +1,6 @@
 package org.dfra.app.stop;
 
 import java.rmi.RemoteException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

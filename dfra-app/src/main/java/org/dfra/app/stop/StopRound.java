@@ -133,7 +133,8 @@ final class StopRound implements AutoCloseable {
     Listing listing = new Listing(id, registrar);
     if (!listed.containsKey(listing)) {
       String robot = StopMerge.robotOf(path);
-      Asked asked = new Asked(path, repeatedly(path, () -> listedCalls.call(registrar, robot, call)));
+      Asked asked =
+          new Asked(path, repeatedly(path, () -> listedCalls.call(registrar, robot, call)));
       listed.put(listing, asked);
       CompletableFuture<Void> unused =
           asked

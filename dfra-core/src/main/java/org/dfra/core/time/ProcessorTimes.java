@@ -8,8 +8,8 @@ import java.util.List;
 
 /**
  * What a virtual computer's processors have done since it was started, as Linux counts it in {@code
- * /proc/stat}. Where the host has too few processors for all its virtual computers, it gives them to
- * others meanwhile; that is the <em>steal</em> time.
+ * /proc/stat}. Where the host has too few processors for all its virtual computers, it gives them
+ * to others meanwhile; that is the <em>steal</em> time.
  *
  * @param served for how long programs ran, hundredths of a second, all processors together
  * @param stolen for how long the host kept programs from running that wanted to, likewise
@@ -51,7 +51,8 @@ record ProcessorTimes(long served, long stolen) {
   }
 
   /**
-   * The share of the time that programs wanted since then, and that the host gave to others: 0 to 1.
+   * The share of the time that programs wanted since then, and that the host gave to others: 0 to
+   * 1.
    */
   double stolenSince(ProcessorTimes before) {
     long lost = stolen - before.stolen;

@@ -19,9 +19,9 @@ import org.jspecify.annotations.Nullable;
  * that is a <em>stall</em>, if it is more than 5 ms: the computer was suspended, swapped, or its
  * host gave it no processor. At the same pace the thread reads how many threads of the whole
  * computer want to run. Where they are more than the processors, each program runs slower by that
- * ratio, without any stall. It does so, too, where the host of a virtual computer gives processors to
- * others in slices that are too short to be seen as stalls; Linux counts these. {@link Timing} says
- * exactly how a missed bound is judged by all three.
+ * ratio, without any stall. It does so, too, where the host of a virtual computer gives processors
+ * to others in slices that are too short to be seen as stalls; Linux counts these. {@link Timing}
+ * says exactly how a missed bound is judged by all three.
  *
  * <pre>
  *   try (StallProbe probe = StallProbe.start()) {

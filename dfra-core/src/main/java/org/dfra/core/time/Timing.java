@@ -12,10 +12,11 @@ import java.util.Locale;
  * <ol>
  *   <li><b>Kept:</b> it took no longer than the bound. Nothing is printed.
  *   <li><b>Missed during a stall:</b> what it took less all stalls is within the bound, also where
- *       that is shortened by the share of its processors that the host of a virtual computer gave to
- *       others, if that is a tenth or more. The test passes and prints {@code MISSED DURING A STALL: } with the measurements. Stalls count only
- *       where their sum is at least 100 ms or a tenth of the bound, so a program that is late by
- *       itself is not excused by the usual lateness of timers.
+ *       that is shortened by the share of its processors that the host of a virtual computer gave
+ *       to others, if that is a tenth or more. The test passes and prints {@code MISSED DURING A
+ *       STALL: } with the measurements. Stalls count only where their sum is at least 100 ms or a
+ *       tenth of the bound, so a program that is late by itself is not excused by the usual
+ *       lateness of timers.
  *   <li><b>Missed during an overload:</b> two or more threads per processor wanted to run on
  *       average, and what it took less the stalls, divided by that average, is within the bound. An
  *       overload may come from the tests themselves, several of which run at a time, so this is no

@@ -157,13 +157,7 @@ class RegistrarReadingTest {
   void anAnswerThatDoesNotComeDelaysNoOtherRobot() throws Exception {
     try (RegistrarReading reading =
         new RegistrarReading(
-            holding("lookup atrv1"),
-            List.of(),
-            List.of(),
-            listener,
-            null,
-            () -> {},
-            () -> false)) {
+            holding("lookup atrv1"), List.of(), List.of(), listener, null, () -> {}, () -> false)) {
       reading.start();
       assertThat(found.poll(30, TimeUnit.SECONDS)).as("of atrv2").isNotNull();
       assertThat(reading.isOver()).isFalse();
