@@ -141,7 +141,7 @@ final class HostClient implements AutoCloseable {
     return bytes.toString(StandardCharsets.ISO_8859_1);
   }
 
-  /** A measurement as {@code took stalled load stolen}: nanoseconds twice, and two numbers. */
+  /** A measurement as {@code took stalled load stolen}: nanoseconds, but for the load. */
   private static String written(Timing timing) {
     return timing.took().toNanos()
         + " "
@@ -149,7 +149,7 @@ final class HostClient implements AutoCloseable {
         + " "
         + timing.load()
         + " "
-        + timing.stolen();
+        + timing.stolen().toNanos();
   }
 
   /** Reads a receiver's position and says how long that took, and what came of it. */

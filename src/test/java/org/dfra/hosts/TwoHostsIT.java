@@ -230,7 +230,7 @@ class TwoHostsIT {
         Duration.ofNanos(Long.parseLong(words[0])),
         Duration.ofNanos(Long.parseLong(words[1])),
         Double.parseDouble(words[2]),
-        Double.parseDouble(words[3]));
+        Duration.ofNanos(Long.parseLong(words[3])));
   }
 
   private static long heard(RobotHost host, String path, int column) throws Exception {

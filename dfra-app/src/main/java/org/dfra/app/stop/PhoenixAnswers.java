@@ -63,19 +63,22 @@ final class PhoenixAnswers {
     }
   }
 
-  private final Repetition repetition;
+  private final Repetition configured;
+  private final Repetition discovered;
   private final Executor threads;
   private final Consumer<StopReport> reported;
   private final Map<Address, Asked> asked = new LinkedHashMap<>(); // guarded by this
   private @Nullable Address unasked; // the first of those that are too many; guarded by this
 
   /**
-   * @param repetition how often an order is given that is not answered, and how long each may take
+   * @param repetition how often a phoenix is ordered that is configured and does not answer, and how
+   *     long each order may take; others are ordered twice
    * @param threads runs each order at once
    * @param reported is given each report of a configured phoenix as it comes, by any thread
    */
   PhoenixAnswers(Repetition repetition, Executor threads, Consumer<StopReport> reported) {
-    this.repetition = repetition;
+    this.configured = repetition;
+    this.discovered = new Repetition(repetition.each(), () -> false);
     this.threads = threads;
     this.reported = reported;
   }
@@ -103,7 +106,7 @@ final class PhoenixAnswers {
   }
 
   private CompletableFuture<Kind> repeatedly(Asked one) {
-    return repetition
+    return (one.isConfigured ? configured : discovered)
         .of(() -> once(one), PhoenixAnswers::isAbsent)
         .exceptionally(
             failure -> {
@@ -136,7 +139,7 @@ final class PhoenixAnswers {
               }
             },
             threads)
-        .orTimeout(repetition.each().toMillis(), TimeUnit.MILLISECONDS);
+        .orTimeout(configured.each().toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** Is done when every phoenix that was asked by now has answered, or will not. */

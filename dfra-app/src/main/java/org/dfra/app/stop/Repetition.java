@@ -3,6 +3,8 @@ package org.dfra.app.stop;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
@@ -11,7 +13,7 @@ import org.dfra.river.call.DeadlineExceededException;
 
 /**
  * How often a call is made that fails: twice, and again while there is time where nobody answered.
- * The computer of an effector, or the operator's, may be so busy that an answer takes longer than
+ * The computer that is called, or the operator's, may be so busy that an answer takes longer than
  * one try has.
  *
  * @param each for one try
@@ -20,6 +22,12 @@ import org.dfra.river.call.DeadlineExceededException;
 record Repetition(Duration each, BooleanSupplier isTimeLeft) {
 
   private static final int TRIES = 2;
+
+  /**
+   * From the second failure on: where many calls of a peer hang, the next ones fail at once, and say
+   * that they were not answered.
+   */
+  static final Duration PAUSE = Duration.ofMillis(500);
 
   /**
    * Makes a call, again and again.
@@ -36,11 +44,21 @@ record Repetition(Duration each, BooleanSupplier isTimeLeft) {
       int tries, Supplier<CompletableFuture<T>> once, Predicate<Throwable> isFinal) {
     return once.get()
         .exceptionallyCompose(
-            failure ->
-                !isFinal.test(failure)
-                        && (tries < TRIES || (isSilence(failure) && isTimeLeft.getAsBoolean()))
-                    ? of(tries + 1, once, isFinal)
-                    : CompletableFuture.failedFuture(failure));
+            failure -> {
+              if (isFinal.test(failure)) {
+                return CompletableFuture.failedFuture(failure);
+              } else if (tries < TRIES) {
+                return of(tries + 1, once, isFinal);
+              } else if (isSilence(failure) && isTimeLeft.getAsBoolean()) {
+                return CompletableFuture.supplyAsync(() -> of(tries + 1, once, isFinal), later())
+                    .thenCompose(next -> next);
+              }
+              return CompletableFuture.failedFuture(failure);
+            });
+  }
+
+  private static Executor later() {
+    return CompletableFuture.delayedExecutor(PAUSE.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   private static boolean isSilence(Throwable failure) {

@@ -57,9 +57,10 @@ import picocli.CommandLine.Spec;
       "",
       "It asks for no lease and is never refused; the commander loses the command.",
       "The phoenix of each known robot is ordered at once to stop all that it runs.",
-      "Each effector that is found is called at once too. What does not answer is",
-      "called again: once, and until the time of --wait is over. The stop outlives",
-      "every process. Releasing it moves nothing and brings no lease back.",
+      "Each effector that is found is called at once too, and once more where it does",
+      "not answer. A phoenix that you name, or that this computer knows, is ordered",
+      "again until it answers or the time of --wait is over. The stop outlives every",
+      "process. Releasing it moves nothing and brings no lease back.",
       "Ends with 0 only if every effector that is known was stopped, with 3 if none",
       "is known, with 4 if one did not answer or its phoenix does not confirm what",
       "its proxy says.",
@@ -132,7 +133,8 @@ public final class StopCommand implements Callable<Integer> {
     try (StopRound round =
         new StopRound(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED,
-            new Repetition(StopRound.TRY, this::isTimeLeft),
+            StopRound.TRY,
+            this::isTimeLeft,
             this::say,
             new StopMerge(by, this::running))) {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
@@ -194,7 +196,7 @@ public final class StopCommand implements Callable<Integer> {
     return Outcome.ofStop(path, running(), now);
   }
 
-  /** Whether what does not answer is called again. */
+  /** Whether a phoenix that does not answer is ordered again. */
   private boolean isTimeLeft() {
     return running().compareTo(patience) < 0;
   }

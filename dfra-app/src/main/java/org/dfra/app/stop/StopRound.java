@@ -17,6 +17,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dfra.app.stop.Outcome.Result;
@@ -27,8 +28,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other,
  * and thousands that are silent, which anybody may register, hold up none for long ({@link
- * FairCalls}). Where a call fails or is not answered in time, it is made again ({@link
- * Repetition}).
+ * FairCalls}). Where a call fails or is not answered in time, it is made once more.
  *
  * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
  * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what
@@ -39,7 +39,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class StopRound implements AutoCloseable {
 
-  /** For one try. A stop waits for its driver for half a second, and writes to a disk. */
+  /** For one of two tries. A stop waits for its driver for half a second, and writes to a disk. */
   static final Duration TRY = Duration.ofSeconds(3);
 
   /** How often phoenixes are asked again whose groups have not confirmed. */
@@ -51,7 +51,7 @@ final class StopRound implements AutoCloseable {
   private record Listing(UUID id, UUID registrar) {}
 
   private final Result failed;
-  private final Repetition repetition;
+  private final Duration patience;
   private final Consumer<Outcome> well;
   private final StopMerge merge;
   private final ExecutorService threads = Executors.newCachedThreadPool(StopRound::thread);
@@ -66,18 +66,25 @@ final class StopRound implements AutoCloseable {
 
   /**
    * @param failed what has become of an effector that was not reached
-   * @param repetition how often a call is made that is not answered, and how long each may take
+   * @param patience for one of two tries
+   * @param isTimeLeft whether a phoenix that has not answered twice is ordered again
    * @param well is given the outcome of each effector at once that all is well with, by any thread;
    *     not of those that only {@link #callLocal} reaches
    * @param merge decides what the answers mean
    */
-  StopRound(Result failed, Repetition repetition, Consumer<Outcome> well, StopMerge merge) {
+  StopRound(
+      Result failed,
+      Duration patience,
+      BooleanSupplier isTimeLeft,
+      Consumer<Outcome> well,
+      StopMerge merge) {
     this.failed = failed;
-    this.repetition = repetition;
+    this.patience = patience;
     this.well = well;
     this.merge = merge;
-    this.listedCalls = new FairCalls(FairCalls.Limits.USUAL, repetition.each());
-    this.phoenixes = new PhoenixAnswers(repetition, threads, this::publish);
+    this.listedCalls = new FairCalls(FairCalls.Limits.USUAL, patience);
+    this.phoenixes =
+        new PhoenixAnswers(new Repetition(patience, isTimeLeft), threads, this::publish);
   }
 
   private static Thread thread(Runnable task) {
@@ -133,8 +140,7 @@ final class StopRound implements AutoCloseable {
     Listing listing = new Listing(id, registrar);
     if (!listed.containsKey(listing)) {
       String robot = StopMerge.robotOf(path);
-      Asked asked =
-          new Asked(path, repeatedly(path, () -> listedCalls.call(registrar, robot, call)));
+      Asked asked = new Asked(path, twice(path, () -> listedCalls.call(registrar, robot, call)));
       listed.put(listing, asked);
       CompletableFuture<Void> unused =
           asked
@@ -186,13 +192,16 @@ final class StopRound implements AutoCloseable {
   synchronized void callLocal(String path, Callable<Outcome> call) {
     local
         .computeIfAbsent(path, unused -> new ArrayList<>())
-        .add(new Asked(path, repeatedly(path, () -> once(call))));
+        .add(new Asked(path, twice(path, () -> once(call))));
   }
 
-  private CompletableFuture<Outcome> repeatedly(
-      String path, Supplier<CompletableFuture<Outcome>> once) {
-    return repetition
-        .of(once, failure -> Repetition.cause(failure) instanceof FairCalls.NotCalledException)
+  private CompletableFuture<Outcome> twice(String path, Supplier<CompletableFuture<Outcome>> once) {
+    return once.get()
+        .exceptionallyCompose(
+            failure ->
+                Repetition.cause(failure) instanceof FairCalls.NotCalledException
+                    ? CompletableFuture.failedFuture(failure)
+                    : once.get())
         .exceptionally(failure -> new Outcome(path, failed, null, null, reason(failure)));
   }
 
@@ -206,16 +215,14 @@ final class StopRound implements AutoCloseable {
             answer.completeExceptionally(e);
           }
         });
-    return answer.orTimeout(repetition.each().toMillis(), TimeUnit.MILLISECONDS);
+    return answer.orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** One line: the causes of remote failures are told on lines of their own. */
   private String reason(Throwable failure) {
     Throwable cause = Repetition.cause(failure);
     if (cause instanceof TimeoutException) {
-      return "it did not answer within "
-          + repetition.each().toMillis() / 1e3
-          + " s, nor when it was called again";
+      return "it did not answer within " + patience.toMillis() / 1e3 + " s, twice";
     }
     @Nullable String message = cause.getMessage();
     return message == null ? cause.toString() : message.lines().findFirst().orElse("").strip();

@@ -65,7 +65,20 @@ class RepetitionTest {
     assertThat(tries).isEqualTo(3);
   }
 
-  /** Else it would be called thousands of times where that fails at once. */
+  /** It says that it was not answered, but was not sent: too many calls of its peer hang. */
+  @Test
+  void whatFailsAtOnceIsNotTriedThousandsOfTimes() throws Exception {
+    for (int i = 0; i < 4; i++) {
+      failures.add(silence());
+    }
+    long began = System.nanoTime();
+    assertThat(call(() -> true).get(20, TimeUnit.SECONDS)).isEqualTo("stopped");
+    assertThat(tries).isEqualTo(5);
+    assertThat(System.nanoTime() - began)
+        .as("three pauses")
+        .isGreaterThanOrEqualTo(3 * Repetition.PAUSE.toNanos());
+  }
+
   @Test
   void whatFailsOtherwiseIsTriedTwice() {
     failures.addAll(List.of(silence(), new ConnectException("refused"), silence()));

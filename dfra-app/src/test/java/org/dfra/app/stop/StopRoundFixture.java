@@ -30,7 +30,8 @@ abstract class StopRoundFixture {
   final StopRound round =
       new StopRound(
           Result.NOT_STOPPED,
-          new Repetition(Duration.ofSeconds(20), () -> false),
+          Duration.ofSeconds(20),
+          () -> false,
           well::add,
           merge);
 

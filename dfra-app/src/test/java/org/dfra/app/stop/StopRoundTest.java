@@ -45,7 +45,8 @@ class StopRoundTest extends StopRoundFixture {
     try (StopRound brief =
         new StopRound(
             Result.NOT_STOPPED,
-            new Repetition(Duration.ofMillis(50), () -> false),
+            Duration.ofMillis(50),
+            () -> false,
             well::add,
             merge)) {
       brief.callListed(
@@ -63,7 +64,7 @@ class StopRoundTest extends StopRoundFixture {
                   Result.NOT_STOPPED,
                   null,
                   null,
-                  "it did not answer within 0.05 s, nor when it was called again"));
+                  "it did not answer within 0.05 s, twice"));
     }
     assertThat(calls.get()).isLessThanOrEqualTo(2); // a busy machine may begin a try too late
     assertThat(well).isEmpty();

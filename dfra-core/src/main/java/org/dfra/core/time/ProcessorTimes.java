@@ -3,8 +3,10 @@ package org.dfra.core.time;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 
 /**
  * What a virtual computer's processors have done since it was started, as Linux counts it in {@code
@@ -25,6 +27,8 @@ record ProcessorTimes(long served, long stolen) {
   private static final List<Integer> SERVED = List.of(1, 2, 3, 6, 7);
 
   private static final int STOLEN = 8;
+
+  private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
   /** Those of this computer until now; {@link #UNKNOWN} where it does not count them. */
   static ProcessorTimes now() {
@@ -51,12 +55,20 @@ record ProcessorTimes(long served, long stolen) {
   }
 
   /**
-   * The share of the time that programs wanted since then, and that the host gave to others: 0 to
-   * 1.
+   * For how much of the time since then programs may have been without a processor that they wanted:
+   * the same share of that time as of the processor time that they wanted, and no longer than all
+   * processors together were given to others.
+   *
+   * @param before what was done when that time began
+   * @param time how long it was
    */
-  double stolenSince(ProcessorTimes before) {
+  Duration stolenSince(ProcessorTimes before, Duration time) {
     long lost = stolen - before.stolen;
     long wanted = served - before.served + lost;
-    return lost > 0 && wanted > 0 ? (double) lost / wanted : 0;
+    if (lost <= 0 || wanted <= 0) {
+      return Duration.ZERO;
+    }
+    double share = (double) lost / wanted;
+    return Duration.ofNanos(Math.min((long) (time.toNanos() * share), lost * TICK_NANOS));
   }
 }

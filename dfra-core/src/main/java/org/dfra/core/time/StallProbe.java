@@ -175,7 +175,7 @@ public final class StallProbe implements AutoCloseable {
         took,
         Duration.ofNanos(stalled),
         count == 0 ? 1 : sum / count,
-        first == null ? 0 : last.stolenSince(first));
+        first == null ? Duration.ZERO : last.stolenSince(first, took));
   }
 
   /** How much of a stall that ended at {@code over} was between {@code begin} and {@code end}. */
@@ -228,11 +228,12 @@ public final class StallProbe implements AutoCloseable {
         // A stall that just ends may have woken this thread before the probe's.
         long stalled = stalledNanos + (closed ? 0 : stallAt(now)) - stalledBefore;
         long count = measurements - measurementsBefore;
+        Duration took = Duration.ofNanos(now - began);
         return new Timing(
-            Duration.ofNanos(now - began),
+            took,
             Duration.ofNanos(Math.max(0, stalled)),
             count == 0 ? 1 : (loadSum - loadBefore) / count,
-            processors.get().stolenSince(processorsBefore));
+            processors.get().stolenSince(processorsBefore, took));
       }
     }
   }

@@ -11,11 +11,10 @@ import java.util.Locale;
  *
  * <ol>
  *   <li><b>Kept:</b> it took no longer than the bound. Nothing is printed.
- *   <li><b>Missed during a stall:</b> what it took less all stalls is within the bound, also where
- *       that is shortened by the share of its processors that the host of a virtual computer gave
- *       to others, if that is a tenth or more. The test passes and prints {@code MISSED DURING A
- *       STALL: } with the measurements. Stalls count only where their sum is at least 100 ms or a
- *       tenth of the bound, so a program that is late by itself is not excused by the usual
+ *   <li><b>Missed during a stall:</b> what it took less all stalls is within the bound, or less the
+ *       time that the host gave to others, if that is longer. The test passes and prints {@code
+ *       MISSED DURING A STALL: } with the measurements. Both count only where they are at least 100
+ *       ms or a tenth of the bound, so a program that is late by itself is not excused by the usual
  *       lateness of timers.
  *   <li><b>Missed during an overload:</b> two or more threads per processor wanted to run on
  *       average, and what it took less the stalls, divided by that average, is within the bound. An
@@ -34,10 +33,10 @@ import java.util.Locale;
  * @param took from begin to end, monotonic time
  * @param stalled for how much of it the computer ran no program that was due
  * @param load threads that ran or wanted to, per processor, on average; above 1 each runs slower
- * @param stolen the share of the processors' time that programs wanted and the host gave to others,
- *     0 to 1
+ * @param stolen for how much of it at most programs were without a processor that they wanted,
+ *     since the host of this virtual computer gave it to others; it may contain what has stalled
  */
-public record Timing(Duration took, Duration stalled, double load, double stolen) {
+public record Timing(Duration took, Duration stalled, double load, Duration stolen) {
 
   /**
    * The system property that is {@code true} where {@code ./dfra test} looks for bounds that were
@@ -51,38 +50,32 @@ public record Timing(Duration took, Duration stalled, double load, double stolen
   /** Nor does a bound bear more: stalls of a tenth of it count in any case. */
   private static final int SHARE = 10;
 
-  /** Each virtual computer is without its processors for some hundredths of the time. */
-  private static final double LEAST_STOLEN = 0.1;
-
   /** From so many runnable threads per processor on a computer counts as overloaded. */
   private static final double OVERLOAD = 2;
 
   /** On a computer whose host, if any, gave it its processors all the time. */
   public Timing(Duration took, Duration stalled, double load) {
-    this(took, stalled, load, 0);
+    this(took, stalled, load, Duration.ZERO);
   }
 
   /**
-   * Another span of time, in which the computer was as it was in this one.
+   * A part of this time, of which nobody knows when it was: any stall may have been in it, and its
+   * share of what the host gave to others.
    *
-   * @param took how long that was
+   * @param part how long it was
    */
-  public Timing during(Duration took) {
-    return new Timing(took, stalled, load, stolen);
+  public Timing during(Duration part) {
+    double share = took.isZero() ? 0 : Math.min(1, (double) part.toNanos() / took.toNanos());
+    return new Timing(part, stalled, load, Duration.ofNanos((long) (stolen.toNanos() * share)));
   }
 
   /**
    * What it would have taken on a computer that did not stall; stalls that are short do not count.
    */
   private Duration withoutStalls(Duration bound) {
-    boolean counts =
-        stalled.compareTo(STALL) >= 0 || stalled.multipliedBy(SHARE).compareTo(bound) >= 0;
-    return counts ? took.minus(stalled) : took;
-  }
-
-  /** What that would have taken on a computer that has its processors to itself. */
-  private Duration onOneOfItsOwn(Duration time) {
-    return stolen < LEAST_STOLEN ? time : Duration.ofNanos((long) (time.toNanos() * (1 - stolen)));
+    Duration lost = stalled.compareTo(stolen) >= 0 ? stalled : stolen;
+    boolean counts = lost.compareTo(STALL) >= 0 || lost.multipliedBy(SHARE).compareTo(bound) >= 0;
+    return counts ? took.minus(lost) : took;
   }
 
   /** What that would have taken on a computer that was not overloaded. */
@@ -95,7 +88,7 @@ public record Timing(Duration took, Duration stalled, double load, double stolen
     if (took.compareTo(bound) <= 0) {
       return Outcome.MET;
     }
-    Duration own = onOneOfItsOwn(withoutStalls(bound));
+    Duration own = withoutStalls(bound);
     if (own.compareTo(bound) <= 0) {
       return Outcome.MISSED_DURING_A_STALL;
     }
@@ -136,11 +129,10 @@ public record Timing(Duration took, Duration stalled, double load, double stolen
     if (count == 0) {
       return Outcome.MET;
     }
-    Duration kept = stalled.plus(took.minus(onOneOfItsOwn(took)));
-    if (count <= kept.dividedBy(each)) {
+    if (count <= stalled.dividedBy(each)) {
       return Outcome.MISSED_DURING_A_STALL;
     }
-    Duration waited = took.minus(onAnIdleOne(took)).plus(kept);
+    Duration waited = took.minus(onAnIdleOne(took)).plus(stalled);
     return count <= waited.dividedBy(each) ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
   }
 
@@ -188,14 +180,12 @@ public record Timing(Duration took, Duration stalled, double load, double stolen
     }
   }
 
-  /** As the end of a sentence; empty where so little was stolen that it does not count. */
+  /** What the host gave to others, as the end of a sentence; empty where that is little. */
   public String steal() {
-    return stolen < LEAST_STOLEN
+    return stolen.compareTo(STALL) < 0
         ? ""
         : String.format(
-            Locale.ROOT,
-            ", and its host gave %.0f %% of the wanted processor time to others",
-            100 * stolen);
+            Locale.ROOT, "; its host gave %.3f s of it to others", stolen.toNanos() / 1e9);
   }
 
   /** How a time compares with its bound. */

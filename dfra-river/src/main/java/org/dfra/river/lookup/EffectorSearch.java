@@ -144,8 +144,8 @@ public final class EffectorSearch implements AutoCloseable {
    * Waits until everything at hand was read: at every locator a lookup service was found, and each
    * that was found was read to its end. With groups this takes all the patience, since multicast
    * never says that everybody has answered; and 3 s longer where a lookup service is not read to
-   * its end by then. What a lookup service does not answer it is asked again, twice in all, and
-   * until the patience is at its end.
+   * its end by then. What a lookup service does not answer in time it is asked again, twice in all
+   * and while the patience lasts.
    *
    * @param patience how long lookup services may take to be found
    * @return the locators at which no lookup service was found

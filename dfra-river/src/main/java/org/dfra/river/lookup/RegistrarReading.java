@@ -6,9 +6,12 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
@@ -28,6 +31,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Reads the effectors that one lookup service lists, robot by robot, so that no answer is large.
  *
+ * <p>What is not answered in time is asked again after all else, twice in all, and while there is
+ * time.
+ *
  * <p>Threads: {@code dfra-search-id}, {@value #THREADS} for each lookup service until it is closed.
  * Each answer holds {@value #LIMIT} effectors at the most; where a robot has more of them, they are
  * read by their names.
@@ -40,6 +46,9 @@ final class RegistrarReading implements AutoCloseable {
   /** How often each question is asked at least, if it is not answered. */
   private static final int TRIES = 2;
 
+  /** Where many calls of a peer hang, the next ones fail at once as if they were not answered. */
+  private static final long PAUSE_MILLIS = 250;
+
   /** Effectors of one name on one robot that are read; an honest robot has one. */
   private static final int LIMIT_OF_ONE_NAME = 8;
 
@@ -51,6 +60,7 @@ final class RegistrarReading implements AutoCloseable {
   private final Runnable changed;
   private final BooleanSupplier isTimeLeft;
   private final ExecutorService threads;
+  private final Executor later; // on these threads
   private final Set<String> begun = new LinkedHashSet<>(); // robots; guarded by this
   private final Set<String> faults = new LinkedHashSet<>(); // guarded by this
   private int pending; // questions that are not answered yet; guarded by this
@@ -86,6 +96,8 @@ final class RegistrarReading implements AutoCloseable {
               thread.setContextClassLoader(loader);
               return thread;
             });
+    this.later =
+        CompletableFuture.delayedExecutor(PAUSE_MILLIS, TimeUnit.MILLISECONDS, threads);
   }
 
   private interface Question {
@@ -107,14 +119,16 @@ final class RegistrarReading implements AutoCloseable {
     synchronized (this) {
       pending++;
     }
+    ask(question, 1, threads);
+  }
+
+  private void ask(Question question, int tries, Executor executor) {
     try {
-      threads.execute(
+      executor.execute(
           () -> {
-            try {
-              askAgainAndAgain(question);
-            } catch (RemoteException | RuntimeException | Error e) { // the others are asked still
-              fault("it did not answer (" + e.getClass().getSimpleName() + ")");
-            } finally {
+            if (!isAnswered(question, tries)) {
+              ask(question, tries + 1, later);
+            } else {
               answered();
             }
           });
@@ -123,20 +137,29 @@ final class RegistrarReading implements AutoCloseable {
     }
   }
 
-  /** An overloaded computer, this one or the other, may need more time than a call has. */
-  private void askAgainAndAgain(Question question) throws RemoteException {
-    for (int tries = 1; ; tries++) {
-      try {
-        question.ask();
-        return;
-      } catch (RemoteException e) {
-        boolean isSilence = e instanceof DeadlineExceededException;
-        boolean isTriedAgain = tries < TRIES || (isSilence && isTimeLeft.getAsBoolean());
-        if (!isTriedAgain || threads.isShutdown()) {
-          throw e;
-        }
+  /**
+   * Asks once. What was not answered is asked again behind all other questions, since an overloaded
+   * computer, this one or the other, may need more time than a call has.
+   *
+   * @return whether it is not to be asked again
+   */
+  private boolean isAnswered(Question question, int tries) {
+    try {
+      question.ask();
+      return true;
+    } catch (DeadlineExceededException e) {
+      if (!threads.isShutdown() && (tries < TRIES || isTimeLeft.getAsBoolean())) {
+        return false;
       }
+      fault(e);
+    } catch (RemoteException | RuntimeException | Error e) { // the others are asked still
+      fault(e);
     }
+    return true;
+  }
+
+  private void fault(Throwable e) {
+    fault("it did not answer (" + e.getClass().getSimpleName() + ")");
   }
 
   private void answered() {

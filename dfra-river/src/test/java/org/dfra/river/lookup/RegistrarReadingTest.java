@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
@@ -174,6 +175,45 @@ class RegistrarReadingTest {
       awaitEnd(reading);
       assertThat(reading.unread()).isEmpty();
     }
+  }
+
+  /** As many as there are threads, of robots that are listed before it. */
+  @Test
+  void robotsThatDoNotAnswerAreAskedAgainAfterAllOthers() throws Exception {
+    List<String> asked = new CopyOnWriteArrayList<>();
+    ServiceRegistrar all = registrar(0);
+    ServiceRegistrar slow =
+        (ServiceRegistrar)
+            Proxy.newProxyInstance(
+                ServiceRegistrar.class.getClassLoader(),
+                new Class<?>[] {ServiceRegistrar.class},
+                (proxy, method, args) -> {
+                  if (!method.getName().equals("lookup")) {
+                    return method.invoke(all, args);
+                  }
+                  ServiceTemplate template = (ServiceTemplate) args[0];
+                  String robot = ((ModuleEntry) template.attributeSetTemplates[0]).robot;
+                  asked.add(robot);
+                  if (robot.startsWith("mute")) {
+                    throw new DeadlineExceededException("lookup", Duration.ofSeconds(2), true);
+                  }
+                  return method.invoke(all, args);
+                });
+    try (RegistrarReading reading =
+        new RegistrarReading(
+            slow,
+            List.of("mute1", "mute2", "mute3", "mute4", "mute5", "atrv1"),
+            List.of(),
+            listener,
+            null,
+            over::release,
+            () -> false)) {
+      reading.start();
+      awaitEnd(reading);
+    }
+    assertThat(found).hasSize(1);
+    assertThat(asked).hasSize(11);
+    assertThat(asked.subList(0, 6)).as("once each").contains("mute1", "mute5", "atrv1");
   }
 
   /** Of an overloaded computer, for whose answers the operator is willing to wait. */
