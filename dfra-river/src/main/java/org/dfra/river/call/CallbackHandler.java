@@ -6,7 +6,6 @@ import java.io.NotSerializableException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Collection;
@@ -72,10 +71,7 @@ final class CallbackHandler extends BasicInvocationHandler {
     if (getObjectEndpoint() instanceof BasicObjectEndpoint object
         && object.getEndpoint() instanceof TcpEndpoint server
         && PeerNames.isName(server.getHost())) {
-      CallbackHandler there = atItsAddress(object, server, method);
-      Class<?> type = proxy.getClass(); // JERI takes no proxy but the handler's own
-      Object its = Proxy.newProxyInstance(type.getClassLoader(), type.getInterfaces(), there);
-      return there.call(its, method, args);
+      return atItsAddress(object, server, method).call(proxy, method, args);
     }
     return call(proxy, method, args);
   }
