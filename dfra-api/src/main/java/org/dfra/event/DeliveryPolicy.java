@@ -1,6 +1,7 @@
 package org.dfra.event;
 
 import java.io.Serializable;
+import java.util.Collection;
 import java.util.EnumSet;
 import java.util.Set;
 
@@ -41,7 +42,7 @@ public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
   public static final int DEEPEST = 1024;
 
   public DeliveryPolicy {
-    kinds = Set.copyOf(kinds);
+    kinds = checked(kinds);
     if (kinds.isEmpty()) {
       throw new IllegalArgumentException("a listener that wants no kind of event needs none");
     }
@@ -51,6 +52,23 @@ public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
     if (!(highestRate > 0)) {
       throw new IllegalArgumentException("rate " + highestRate + " Hz is not above 0");
     }
+  }
+
+  /**
+   * Looks at each before any is hashed: what comes over the network may hold anything, also objects
+   * whose hash codes take for ever.
+   */
+  private static Set<Kind> checked(Collection<?> kinds) {
+    Set<Kind> all = EnumSet.noneOf(Kind.class);
+    int most = Kind.values().length;
+    for (Object each : kinds) {
+      if (!(each instanceof Kind kind) || most-- == 0) {
+        throw new IllegalArgumentException(
+            "a listener wants kinds of events, each once at the most; this one wants something else");
+      }
+      all.add(kind);
+    }
+    return Set.copyOf(all);
   }
 
   /** Every kind of event, the last {@code depth} kept while the listener is busy. */

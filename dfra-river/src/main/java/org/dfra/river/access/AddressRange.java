@@ -11,9 +11,6 @@ import java.net.UnknownHostException;
  */
 public record AddressRange(InetAddress network, int prefix) {
 
-  /** Digits beyond would be taken for a name, and looked up. */
-  private static final String BYTE = "(25[0-5]|2[0-4][0-9]|[01]?[0-9]{1,2})";
-
   public AddressRange {
     int bits = network.getAddress().length * Byte.SIZE;
     if (prefix < 0 || prefix > bits) {
@@ -53,7 +50,7 @@ public record AddressRange(InetAddress network, int prefix) {
 
   private static InetAddress numeric(String address, String whole) {
     boolean isNumeric =
-        address.matches(BYTE + "(\\." + BYTE + "){3}")
+        address.matches("[0-9]{1,3}(\\.[0-9]{1,3}){3}")
             || (address.indexOf(':') >= 0 && address.matches("[0-9A-Fa-f:][0-9A-Fa-f:.]*"));
     if (!isNumeric) {
       throw fault(whole);

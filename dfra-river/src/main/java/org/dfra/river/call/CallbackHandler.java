@@ -6,7 +6,6 @@ import java.io.NotSerializableException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
-import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.concurrent.Future;
@@ -28,27 +27,19 @@ import org.jspecify.annotations.Nullable;
  * <p>Unlike {@link DeadlineInvocationHandler} it costs no second thread: at the deadline a timer
  * aborts the request, or closes the connection that is still being made for it, and the caller's
  * thread comes free. So as many threads wait for peers as there are callers, and a pool of callers
- * bounds both. A host that is a name is looked up by {@link PeerNames} first, since nothing ends a
- * look-up; JERI gets the address.
+ * bounds both.
  */
 final class CallbackHandler extends BasicInvocationHandler {
 
   private static final long serialVersionUID = 1L;
 
   private final long deadlineMillis;
-  private final transient PeerNames names; // it is never sent
 
   /**
    * @param deadline how long an answer is awaited, at least a millisecond
-   * @param names look up what is no address
    */
-  CallbackHandler(
-      ObjectEndpoint endpoint,
-      @Nullable MethodConstraints server,
-      Duration deadline,
-      PeerNames names) {
+  CallbackHandler(ObjectEndpoint endpoint, @Nullable MethodConstraints server, Duration deadline) {
     super(endpoint, server);
-    this.names = names;
     this.deadlineMillis = deadline.toMillis();
     if (deadlineMillis < 1) {
       throw new IllegalArgumentException("deadline " + deadline + " is shorter than 1 ms");
@@ -58,7 +49,6 @@ final class CallbackHandler extends BasicInvocationHandler {
   /** The same handler under other client constraints; JERI's base class asks for this form. */
   public CallbackHandler(CallbackHandler other, @Nullable MethodConstraints client) {
     super(other, client);
-    this.names = other.names;
     this.deadlineMillis = other.deadlineMillis;
   }
 
@@ -68,34 +58,6 @@ final class CallbackHandler extends BasicInvocationHandler {
     if (method.getDeclaringClass() == Object.class) {
       return super.invoke(proxy, method, args);
     }
-    if (getObjectEndpoint() instanceof BasicObjectEndpoint object
-        && object.getEndpoint() instanceof TcpEndpoint server
-        && PeerNames.isName(server.getHost())) {
-      return atItsAddress(object, server, method).call(proxy, method, args);
-    }
-    return call(proxy, method, args);
-  }
-
-  /** A handler for the address that the host's name stands for, and the rest of the deadline. */
-  private CallbackHandler atItsAddress(
-      BasicObjectEndpoint object, TcpEndpoint server, Method method) throws RemoteException {
-    long began = System.nanoTime();
-    String address =
-        names.address(server.getHost(), deadlineMillis, called(method)).getHostAddress();
-    long took = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
-    CallbackHandler handler =
-        new CallbackHandler(
-            new BasicObjectEndpoint(
-                Endpoints.at(address, server.getPort()), object.getObjectIdentifier(), false),
-            getServerConstraints(),
-            Duration.ofMillis(Math.max(1, deadlineMillis - took)),
-            names);
-    @Nullable MethodConstraints client = getClientConstraints();
-    return client == null ? handler : new CallbackHandler(handler, client);
-  }
-
-  private @Nullable Object call(Object proxy, Method method, Object @Nullable [] args)
-      throws Throwable {
     CallInFlight call = new CallInFlight(true);
     Future<?> watch =
         Timer.DEADLINES.schedule(call::abandon, deadlineMillis, TimeUnit.MILLISECONDS);
@@ -110,9 +72,10 @@ final class CallbackHandler extends BasicInvocationHandler {
   }
 
   private DeadlineExceededException exceeded(CallInFlight call, Method method, Throwable cause) {
+    String called =
+        method.getDeclaringClass().getSimpleName() + "." + method.getName() + " on " + peerName();
     DeadlineExceededException exceeded =
-        new DeadlineExceededException(
-            called(method), Duration.ofMillis(deadlineMillis), call.mayHaveRun());
+        new DeadlineExceededException(called, Duration.ofMillis(deadlineMillis), call.mayHaveRun());
     exceeded.detail = cause; // a RemoteException takes no cause by initCause
     if (getObjectEndpoint() instanceof BasicObjectEndpoint basic
         && basic.getEndpoint() instanceof TcpEndpoint server) {
@@ -121,15 +84,10 @@ final class CallbackHandler extends BasicInvocationHandler {
     return exceeded;
   }
 
-  /** What is called, for people. */
-  private String called(Method method) {
+  private String peerName() {
     ObjectEndpoint endpoint = getObjectEndpoint();
-    return method.getDeclaringClass().getSimpleName()
-        + "."
-        + method.getName()
-        + " on "
-        + DeadlineInvocationHandler.name(
-            endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint);
+    return DeadlineInvocationHandler.name(
+        endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint);
   }
 
   @Override

@@ -26,34 +26,20 @@ public final class Callbacks {
   /**
    * A proxy for the same object that calls on the caller's thread and ends within the deadline:
    * that of any JERI proxy, whatever deadline, socket factory or garbage collection it brought. Any
-   * other object is returned as it is; a call on it may hold its thread for as long as it likes. A
-   * host that is a name is looked up on another thread, and the look-up counts as part of the call.
+   * other object is returned as it is; a call on it may hold its thread for as long as it likes.
    *
    * @param callback what came from elsewhere
    * @param type what it is called as
    * @param deadline how long an answer is awaited, at least a millisecond
    */
   public static <T extends Remote> T bounded(T callback, Class<T> type, Duration deadline) {
-    return bounded(callback, type, deadline, PeerNames.shared());
-  }
-
-  /**
-   * The same.
-   *
-   * @param names look up hosts that are named
-   */
-  static <T extends Remote> T bounded(
-      T callback, Class<T> type, Duration deadline, PeerNames names) {
     @Nullable BasicInvocationHandler handler = handler(callback);
     if (handler == null) {
       return callback;
     }
     CallbackHandler bounded =
         new CallbackHandler(
-            withOwnSockets(handler.getObjectEndpoint()),
-            handler.getServerConstraints(),
-            deadline,
-            names);
+            withOwnSockets(handler.getObjectEndpoint()), handler.getServerConstraints(), deadline);
     @Nullable MethodConstraints client = handler.getClientConstraints();
     return type.cast(
         Proxy.newProxyInstance(

@@ -163,7 +163,11 @@ record MulticastSettings(
     List<NetworkInterface> sending = new ArrayList<>();
     for (@Nullable NetworkInterface each : interfaces) {
       if (each == null) { // which of them, the system chooses
-        sending.addAll(NetworkInterface.networkInterfaces().toList());
+        for (NetworkInterface one : NetworkInterface.networkInterfaces().toList()) {
+          if (one.isUp() && !one.isVirtual() && !one.isPointToPoint()) {
+            sending.add(one);
+          }
+        }
       } else {
         sending.add(each);
       }

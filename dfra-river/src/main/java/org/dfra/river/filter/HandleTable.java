@@ -16,9 +16,15 @@ final class HandleTable {
   private long[] costs = new long[64];
   private int size;
 
+  /** What has begun and not come to its end, the innermost last; some may have been aborted. */
+  private int[] open = new int[32];
+
+  private int opened;
+
   /** Forgets everything: numbers begin with 0 again. */
   void clear() {
     size = 0;
+    opened = 0;
     forms.clear();
     references.clear();
   }
@@ -34,11 +40,32 @@ final class HandleTable {
       costs = Arrays.copyOf(costs, 2 * size);
     }
     costs[size] = UNFINISHED;
+    if (opened == open.length) {
+      open = Arrays.copyOf(open, 2 * opened);
+    }
+    open[opened++] = size;
     return size++;
+  }
+
+  private void close(int handle) {
+    while (opened > 0 && open[opened - 1] >= handle) { // those after it were aborted
+      opened--;
+    }
+  }
+
+  /**
+   * Whether something has not come to its end and is not what is being read just now: it need not
+   * contain itself, since nobody may follow the reference in it that leads here.
+   */
+  boolean isAround(int handle) {
+    return !forms.containsKey(handle)
+        && costs[handle] == UNFINISHED
+        && open[opened - 1] != handle;
   }
 
   /** Notes what something costs that has come to its end; that cost. */
   long finish(int handle, long cost) {
+    close(handle);
     costs[handle] = cost;
     return cost;
   }
@@ -53,6 +80,7 @@ final class HandleTable {
 
   /** Notes that a class has been described. */
   void describe(int handle, ClassForm form) {
+    close(handle);
     forms.put(handle, form);
   }
 

@@ -9,6 +9,9 @@ final class StreamBudget {
   /** Around a cycle a walk goes until its stack is full; not all that has one is in it. */
   private static final int ROUNDS = 16;
 
+  /** So often the visits are doubled at the most, which is more than any stream may have. */
+  private static final int DOUBLINGS = 16;
+
   /** Visits beyond one for each byte on the heap; of honest objects few are shared. */
   private static final long MORE_VISITS = 1 << 20;
 
@@ -19,6 +22,7 @@ final class StreamBudget {
   private long entries;
   private long hashed;
   private long walked;
+  private int around;
 
   StreamBudget(SerialLimits limits) {
     this.limits = limits;
@@ -53,9 +57,17 @@ final class StreamBudget {
     build(HeapSize.array(element, length));
   }
 
+  /**
+   * Counts a reference to an object around the one that is being read. What that costs is not known
+   * yet, and may be as much as all that has come by then.
+   */
+  void around() {
+    around = Math.min(around + 1, DOUBLINGS);
+  }
+
   /** Counts what a walk through an object visits that has this {@link Cost}. */
   void walk(long cost) {
-    walked += Cost.visits(cost) * (Cost.isEndless(cost) ? ROUNDS : 1);
+    walked += (Cost.visits(cost) * (Cost.isEndless(cost) ? ROUNDS : 1)) << around;
     long most = heap + MORE_VISITS;
     if (walked > most && limits.heap() < Long.MAX_VALUE) {
       throw new RefusedDataException(

@@ -127,7 +127,7 @@ final class StreamScanner implements ObjectStreamConstants {
     long cost =
         switch (tag) {
           case TC_NULL -> Cost.LEAF;
-          case TC_REFERENCE -> handles.cost(reference());
+          case TC_REFERENCE -> referred(reference());
           case TC_STRING -> string(in.unsignedShort());
           case TC_LONGSTRING -> string(RecordedInput.length(in.longInteger()));
           case TC_OBJECT -> object();
@@ -187,6 +187,13 @@ final class StreamScanner implements ObjectStreamConstants {
     budget.depth(depth);
     ClassForm unused = form();
     return handles.finish(handles.assign(), Cost.LEAF);
+  }
+
+  private long referred(int handle) {
+    if (handles.isAround(handle)) {
+      budget.around();
+    }
+    return handles.cost(handle);
   }
 
   private long array() throws IOException {

@@ -176,44 +176,6 @@ class CallbacksTest {
   }
 
   @Test
-  void aHostThatIsNamedIsCalledAtItsAddress() throws Exception {
-    BasicInvocationHandler handler = (BasicInvocationHandler) Proxy.getInvocationHandler(stock());
-    BasicObjectEndpoint object = (BasicObjectEndpoint) handler.getObjectEndpoint();
-    TcpEndpoint tcp = (TcpEndpoint) object.getEndpoint();
-    TcpEndpoint named = TcpEndpoint.getInstance("robot.invalid", tcp.getPort());
-    PeerNames names =
-        new PeerNames(name -> InetAddress.getByName(HOST), System::nanoTime, Runnable::run);
-    Service callback =
-        Callbacks.bounded(
-            proxy(named, object.getObjectIdentifier()), Service.class, DEADLINE, names);
-    assertThat(callback.echo("hello")).isEqualTo("hello");
-    assertThatExceptionOfType(DeadlineExceededException.class)
-        .isThrownBy(callback::block)
-        .withMessageContaining("Service.block on TcpEndpoint[" + HOST);
-  }
-
-  /** Nothing ends a look-up, so it must not be the caller's thread that waits for it. */
-  @Test
-  void aNameServerThatDoesNotAnswerHoldsTheCallerUntilTheDeadlineOnly() {
-    PeerNames names =
-        new PeerNames(
-            name -> {
-              throw new AssertionError("looked up on the caller's thread");
-            },
-            System::nanoTime,
-            lookUp -> {});
-    Service callback =
-        Callbacks.bounded(
-            proxy(TcpEndpoint.getInstance("slow.invalid", 7001)), Service.class, DEADLINE, names);
-    StallProbe.Stopwatch began = probe.stopwatch();
-    assertThatExceptionOfType(DeadlineExceededException.class)
-        .isThrownBy(() -> callback.echo("hello"))
-        .withMessageContaining("Service.echo on TcpEndpoint[slow.invalid:7001]")
-        .withMessageContaining("within 200 ms; it has not run");
-    began.stop().requireWithin("a callback of 200 ms", DEADLINE.plus(MARGIN));
-  }
-
-  @Test
   void theSocketFactoryThatAProxyBringsIsNotUsed() throws Exception {
     BasicInvocationHandler handler = (BasicInvocationHandler) Proxy.getInvocationHandler(stock());
     BasicObjectEndpoint object = (BasicObjectEndpoint) handler.getObjectEndpoint();

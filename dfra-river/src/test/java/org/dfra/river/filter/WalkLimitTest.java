@@ -7,10 +7,13 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
+import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -57,6 +60,38 @@ class WalkLimitTest {
     List<Object> small = ladder(5);
     small.add(small);
     assertThat(read(small.toArray())).isNotNull();
+  }
+
+  /** What its local class may lack a field of, so that the walk does not go round. */
+  private static final class Knot implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final Object[] below = new Object[10];
+    @Nullable Knot around; // in the stream after what is below
+  }
+
+  /** Each object is inside the one that it refers to, so that nobody knows yet what that costs. */
+  @Test
+  void refusesReferencesToWhatIsNotReadToItsEnd() throws Exception {
+    Knot first = new Knot();
+    Knot last = first;
+    for (int i = 0; i < 9; i++) {
+      Knot next = new Knot();
+      Arrays.fill(next.below, last);
+      last.around = next;
+      last = next;
+    }
+    assertRefused(first);
+  }
+
+  /** An exception is its own cause, and a child may know its parent. */
+  @Test
+  void aReferenceBackToItselfOrToAParentPasses() throws Exception {
+    Knot parent = new Knot();
+    parent.around = new Knot();
+    parent.around.below[0] = parent;
+    assertThat(read(new Object[] {parent, new IllegalStateException("a", new IOException("b"))}))
+        .isNotNull();
   }
 
   private static void assertRefused(Object graph) throws IOException {

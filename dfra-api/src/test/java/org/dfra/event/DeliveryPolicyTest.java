@@ -1,0 +1,64 @@
+package org.dfra.event;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.AbstractSet;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Set;
+import org.dfra.event.DeliveryPolicy.Kind;
+import org.junit.jupiter.api.Test;
+
+class DeliveryPolicyTest {
+
+  /** As it may come over the network: a set of anything. */
+  @SuppressWarnings("unchecked")
+  private static Set<Kind> set(List<?> elements) {
+    return (Set<Kind>)
+        (Set<?>)
+            new AbstractSet<Object>() {
+              @Override
+              public Iterator<Object> iterator() {
+                return Collections.<Object>unmodifiableList(elements).iterator();
+              }
+
+              @Override
+              public int size() {
+                return elements.size();
+              }
+            };
+  }
+
+  @Test
+  void keepsTheKinds() {
+    Set<Kind> wanted = EnumSet.of(Kind.READING, Kind.INCIDENT);
+    assertThat(new DeliveryPolicy(set(List.copyOf(wanted)), 1, 1).kinds()).isEqualTo(wanted);
+  }
+
+  @Test
+  void hashesNothingElse() {
+    Object bomb =
+        new Object() {
+          @Override
+          public int hashCode() {
+            throw new AssertionError("hashed");
+          }
+        };
+    assertRefused(List.of(bomb));
+    assertRefused(List.of(Kind.READING, bomb));
+  }
+
+  @Test
+  void looksAtNoMoreThanThereAreKinds() {
+    assertRefused(Collections.nCopies(Kind.values().length + 1, Kind.READING));
+  }
+
+  private static void assertRefused(List<?> kinds) {
+    assertThatThrownBy(() -> new DeliveryPolicy(set(kinds), 1, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("a listener wants kinds of events, each once at the most");
+  }
+}
