@@ -71,8 +71,8 @@ final class PhoenixAnswers {
   private @Nullable Address unasked; // the first of those that are too many; guarded by this
 
   /**
-   * @param repetition how often a phoenix is ordered that is configured and does not answer, and how
-   *     long each order may take; others are ordered twice
+   * @param repetition how often a phoenix is ordered that is configured and does not answer, and
+   *     how long each order may take; others are ordered twice
    * @param threads runs each order at once
    * @param reported is given each report of a configured phoenix as it comes, by any thread
    */

@@ -24,8 +24,8 @@ record Repetition(Duration each, BooleanSupplier isTimeLeft) {
   private static final int TRIES = 2;
 
   /**
-   * From the second failure on: where many calls of a peer hang, the next ones fail at once, and say
-   * that they were not answered.
+   * From the second failure on: where many calls of a peer hang, the next ones fail at once, and
+   * say that they were not answered.
    */
   static final Duration PAUSE = Duration.ofMillis(500);
 

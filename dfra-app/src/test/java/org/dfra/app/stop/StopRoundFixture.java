@@ -28,12 +28,7 @@ abstract class StopRoundFixture {
   final CountDownLatch end = new CountDownLatch(1);
   final StopMerge merge = new StopMerge("the test", () -> RUNNING);
   final StopRound round =
-      new StopRound(
-          Result.NOT_STOPPED,
-          Duration.ofSeconds(20),
-          () -> false,
-          well::add,
-          merge);
+      new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), () -> false, well::add, merge);
 
   @BeforeEach
   void findRegistrar() {

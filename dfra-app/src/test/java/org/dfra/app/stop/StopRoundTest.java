@@ -43,12 +43,7 @@ class StopRoundTest extends StopRoundFixture {
   void whatIsNotAnsweredInTimeIsTriedOnceMoreAndTold() {
     AtomicInteger calls = new AtomicInteger();
     try (StopRound brief =
-        new StopRound(
-            Result.NOT_STOPPED,
-            Duration.ofMillis(50),
-            () -> false,
-            well::add,
-            merge)) {
+        new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), () -> false, well::add, merge)) {
       brief.callListed(
           UUID.randomUUID(),
           REGISTRAR,

@@ -55,9 +55,9 @@ record ProcessorTimes(long served, long stolen) {
   }
 
   /**
-   * For how much of the time since then programs may have been without a processor that they wanted:
-   * the same share of that time as of the processor time that they wanted, and no longer than all
-   * processors together were given to others.
+   * For how much of the time since then programs may have been without a processor that they
+   * wanted: the same share of that time as of the processor time that they wanted, and no longer
+   * than all processors together were given to others.
    *
    * @param before what was done when that time began
    * @param time how long it was

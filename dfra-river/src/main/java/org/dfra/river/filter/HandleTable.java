@@ -58,9 +58,7 @@ final class HandleTable {
    * contain itself, since nobody may follow the reference in it that leads here.
    */
   boolean isAround(int handle) {
-    return !forms.containsKey(handle)
-        && costs[handle] == UNFINISHED
-        && open[opened - 1] != handle;
+    return !forms.containsKey(handle) && costs[handle] == UNFINISHED && open[opened - 1] != handle;
   }
 
   /** Notes what something costs that has come to its end; that cost. */

@@ -96,8 +96,7 @@ final class RegistrarReading implements AutoCloseable {
               thread.setContextClassLoader(loader);
               return thread;
             });
-    this.later =
-        CompletableFuture.delayedExecutor(PAUSE_MILLIS, TimeUnit.MILLISECONDS, threads);
+    this.later = CompletableFuture.delayedExecutor(PAUSE_MILLIS, TimeUnit.MILLISECONDS, threads);
   }
 
   private interface Question {
