@@ -29,7 +29,9 @@ final class DiscoverySocket extends Socket {
 
   private static final Logger LOG = LoggerFactory.getLogger(DiscoverySocket.class);
   private static final long IDLE_SECONDS = 10;
-  private static final ScheduledThreadPoolExecutor ENDS = ends();
+
+  /** Not private, so that a test need not wait for what is scheduled here. */
+  static final ScheduledThreadPoolExecutor ENDS = ends();
 
   private final Consumer<DiscoverySocket> closed;
   private volatile @Nullable Future<?> end;

@@ -31,6 +31,7 @@ import org.dfra.river.callback.ClientAddress;
 public final class RegistrarListeners implements ProxyPreparer {
 
   private final String host;
+  private final CallbackPeers peers;
   private final Map<RegistrarListener, Registered> registered =
       new IdentityHashMap<>(); // guarded by this
   private boolean isWatched; // guarded by this
@@ -50,7 +51,17 @@ public final class RegistrarListeners implements ProxyPreparer {
    *     computer
    */
   public RegistrarListeners(String host) {
+    this(host, CallbackPeers.shared());
+  }
+
+  /**
+   * The same, for tests.
+   *
+   * @param peers count the listeners' processes
+   */
+  RegistrarListeners(String host, CallbackPeers peers) {
     this.host = host;
+    this.peers = peers;
   }
 
   /**
@@ -87,7 +98,7 @@ public final class RegistrarListeners implements ProxyPreparer {
   private synchronized RegistrarListener register(
       RemoteEventListener listener, ClientAddress client) {
     try {
-      CallbackPlace place = CallbackPeers.shared().admit(client, listener);
+      CallbackPlace place = peers.admit(client, listener);
       RegistrarListener made =
           new RegistrarListener(
               listener,

@@ -56,7 +56,7 @@ final class HttpListener implements AutoCloseable {
   private final HttpAnswers answers;
   private final CountDownLatch accepting = new CountDownLatch(1);
   private final ThreadPoolExecutor threads;
-  private final ScheduledThreadPoolExecutor deadlines;
+  final ScheduledThreadPoolExecutor deadlines; // not private, so that a test need not wait
   private final Set<HttpConnection> open = new LinkedHashSet<>(); // guarded by itself, oldest first
   private final Map<InetAddress, Integer> byAddress = new HashMap<>(); // guarded by open
 

@@ -17,7 +17,9 @@ import java.net.SocketAddress;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.server.ExportException;
+import java.rmi.server.UnicastRemoteObject;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import javax.net.SocketFactory;
 import net.jini.admin.JoinAdmin;
@@ -49,6 +51,12 @@ class GuardedDispatcherTest {
     void set(Object value) throws RemoteException;
   }
 
+  /** Remote itself: the stubs of JRMP call no other methods. */
+  public interface Reset extends Remote {
+    @Administrative
+    void reset() throws RemoteException;
+  }
+
   /** What the test calls. */
   public interface Knobs extends Remote, Settings, JoinAdmin {
     Object get() throws RemoteException;
@@ -68,12 +76,17 @@ class GuardedDispatcherTest {
     }
   }
 
-  private static final class KnobsImpl implements Knobs {
+  private static final class KnobsImpl implements Knobs, Reset {
 
     volatile int calls;
 
     @Override
     public void set(Object value) {
+      calls++;
+    }
+
+    @Override
+    public void reset() {
       calls++;
     }
 
@@ -142,6 +155,8 @@ class GuardedDispatcherTest {
   private final KnobsImpl impl = new KnobsImpl();
   private final BasicJeriExporter exporter =
       new BasicJeriExporter(Endpoints.tcp(ROBOT, 0), new DeadlineILFactory(), false, true, id);
+  private final List<Remote> guards = new ArrayList<>(); // RMI holds them weakly
+  private final List<ServerSocket> listening = new ArrayList<>();
   private int port;
 
   @BeforeEach
@@ -155,7 +170,13 @@ class GuardedDispatcherTest {
   }
 
   @AfterEach
-  void unexport() {
+  void unexport() throws IOException {
+    for (Remote each : guards) {
+      UnicastRemoteObject.unexportObject(each, true);
+    }
+    for (ServerSocket each : listening) { // RMI would leave them open
+      each.close();
+    }
     exporter.unexport(true);
   }
 
@@ -229,6 +250,35 @@ class GuardedDispatcherTest {
     assertThat(guarded.get()).isEqualTo(1);
     assertThatThrownBy(() -> AdministrationGuard.of(impl, "no such host"))
         .isInstanceOf(ExportException.class);
+  }
+
+  /** A guard of the object that is exported by JRMP, as its stub that calls from one address. */
+  private Remote byJrmpFrom(String source) throws IOException {
+    Remote guard = AdministrationGuard.of(impl, ROBOT);
+    Remote stub =
+        UnicastRemoteObject.exportObject(
+            guard,
+            0,
+            (host, at) -> new Bound(source).createSocket(ROBOT, at),
+            at -> {
+              ServerSocket socket = new ServerSocket(at, 0, InetAddress.getByName(ROBOT));
+              listening.add(socket);
+              return socket;
+            });
+    guards.add(guard);
+    return stub;
+  }
+
+  @Test
+  void aGuardInPlaceOfAnObjectRefusesAStrangerByJrmp() throws Exception {
+    Remote stranger = byJrmpFrom(STRANGER);
+    assertThatThrownBy(() -> ((Reset) stranger).reset())
+        .isInstanceOf(AdministrationRefusedException.class)
+        .hasMessageStartingWith("Reset.reset is refused to 127.0.0.66: ");
+    assertThat(impl.calls).isZero();
+    assertThat(((Knobs) stranger).get()).as("a question").isEqualTo(0);
+    ((Reset) byJrmpFrom(ROBOT)).reset();
+    assertThat(impl.calls).isEqualTo(1);
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Arrays;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
@@ -238,6 +239,48 @@ class RegistrarReadingTest {
           .singleElement()
           .asString()
           .endsWith(" was called: it did not answer (DeadlineExceededException)");
+    }
+  }
+
+  /** A stranger's lookup service may list any number of them, each of which would be called. */
+  @Test
+  void ofManyEffectorsOfOneNameAFewAreReadAndTheOthersNamed() throws Exception {
+    int many = 100;
+    List<Integer> asked = new CopyOnWriteArrayList<>();
+    ServiceItem item = registrar(0).lookup(new ServiceTemplate(null, null, null), 1).items[0];
+    ServiceRegistrar crowded =
+        (ServiceRegistrar)
+            Proxy.newProxyInstance(
+                ServiceRegistrar.class.getClassLoader(),
+                new Class<?>[] {ServiceRegistrar.class},
+                (proxy, method, args) ->
+                    switch (method.getName()) {
+                      case "getServiceID" -> new ServiceID(0, 7);
+                      case "getFieldValues" -> new Object[] {"drive"};
+                      case "lookup" -> {
+                        ServiceTemplate template = (ServiceTemplate) args[0];
+                        if (((ModuleEntry) template.attributeSetTemplates[0]).name == null) {
+                          yield new ServiceMatches(new ServiceItem[0], many);
+                        }
+                        int most = (Integer) args[1];
+                        asked.add(most);
+                        ServiceItem[] items = new ServiceItem[Math.min(most, many)];
+                        Arrays.fill(items, item);
+                        yield new ServiceMatches(items, many);
+                      }
+                      default -> null;
+                    });
+    try (RegistrarReading reading =
+        new RegistrarReading(
+            crowded, List.of("atrv1"), List.of(), listener, null, over::release, () -> false)) {
+      reading.start();
+      awaitEnd(reading);
+      assertThat(asked).containsExactly(8);
+      assertThat(found).hasSize(8);
+      assertThat(reading.unread())
+          .singleElement()
+          .asString()
+          .endsWith(" was called: it lists 100 effectors atrv1/drive, of which 8 were called");
     }
   }
 
